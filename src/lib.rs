@@ -1,0 +1,4 @@
+//! groundwave: moving trains on layered ground.
+pub mod concern;
+pub mod dataset;
+pub mod figure;
