@@ -16,11 +16,7 @@ pub struct Concern {
 impl Concern {
     /// A concern from its parts.
     pub fn new(code: &'static str, message: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self {
-            code,
-            message: message.into(),
-            remedy: remedy.into(),
-        }
+        Self { code, message: message.into(), remedy: remedy.into() }
     }
 }
 

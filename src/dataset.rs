@@ -64,10 +64,7 @@ pub struct Group {
 impl Group {
     /// An empty group.
     pub fn new(name: &str) -> Self {
-        Self {
-            name: name.to_owned(),
-            ..Self::default()
-        }
+        Self { name: name.to_owned(), ..Self::default() }
     }
 
     /// Adds a coordinate: a 1-D variable along its own dimension. `values` [`units`].

@@ -2,3 +2,5 @@
 pub mod concern;
 pub mod dataset;
 pub mod figure;
+pub mod math;
+pub mod soil;

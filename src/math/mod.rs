@@ -1,0 +1,7 @@
+//! Numerical ground floor: quadrature, Fourier transforms, special functions, small complex helpers.
+
+pub mod bessel;
+pub mod complex;
+pub mod interpolation;
+pub mod maximum;
+pub mod quadrature;

@@ -1,0 +1,161 @@
+//! The direct stiffness method: exact layer matrices condensed from the base upward.
+//!
+//! Source: Kausel & Roësset 1981, in the form of `layer_stiffness`. Accuracy: 1e-11 of the largest entry for any
+//! kh and any ω/(k c_s), ω = 0 included (test `cross_solver::reference`).
+
+use super::chain::{self, inverse_symmetric, upside_down};
+use super::layer_stiffness::LayerStiffness;
+use super::strip::Outline;
+use super::wave::Wave;
+use super::{Base, Compliance, GroundSolver, PreparedGround, Profile, SoilError, SurfaceCompliance};
+use crate::math::complex::I;
+use nalgebra::{Matrix2, SMatrix};
+use num_complex::Complex64;
+
+/// The direct stiffness method; it has no settings.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DirectStiffness;
+
+impl GroundSolver for DirectStiffness {
+    fn prepare(
+        &self,
+        profile: &Profile,
+        omega: f64,
+        depths: &[f64],
+    ) -> Result<Box<dyn PreparedGround>, SoilError> {
+        Ok(Box::new(DirectStiffnessAt::new(profile, omega, depths)?))
+    }
+}
+
+/// The direct stiffness method at one ω.
+#[derive(Clone, Debug)]
+pub struct DirectStiffnessAt {
+    /// Waves and thickness of each layer, top first.
+    layers: Vec<(Wave, f64)>,
+    /// None for a rigid base.
+    half_space: Option<Wave>,
+    /// Interface of each prepared depth.
+    interfaces: Vec<usize>,
+    /// G(−ω) = conj G(ω): all is computed for |ω|.
+    negative: bool,
+    outline: Outline,
+}
+
+type Block = Matrix2<Complex64>;
+
+impl DirectStiffnessAt {
+    /// Prepares `profile` at `omega` [rad/s] for loads and receivers at `depths` [m].
+    ///
+    /// # Errors
+    /// A depth outside the ground.
+    pub fn new(profile: &Profile, omega: f64, depths: &[f64]) -> Result<Self, SoilError> {
+        let (split, interfaces) = profile.split_at(depths)?;
+        let magnitude = omega.abs();
+        let half_space = match split.base() {
+            Base::HalfSpace(material) => Some(Wave::new(&material, magnitude)),
+            Base::Rigid => None,
+        };
+        Ok(Self {
+            layers: split.layers().iter().map(|l| (Wave::new(&l.material, magnitude), l.thickness)).collect(),
+            half_space,
+            interfaces,
+            negative: omega < 0.0,
+            outline: Outline::new(profile, omega),
+        })
+    }
+
+    /// In-plane stiffness felt at the surface: S ← M(B − C (B + S)⁻¹ C)M from the base upward.
+    fn in_plane(&self, k: f64) -> Block {
+        let mut below = self.half_space.map(|wave| LayerStiffness::<2>::half_space(&wave, k));
+        for (wave, thickness) in self.layers.iter().rev() {
+            let LayerStiffness { direct, cross } = LayerStiffness::<2>::layer(wave, *thickness, k);
+            below = Some(upside_down(match below {
+                Some(below) => direct - cross * inverse_symmetric(&(direct + below)) * cross,
+                None => direct,
+            }));
+        }
+        below.unwrap_or_else(Block::zeros)
+    }
+
+    /// Anti-plane stiffness felt at the surface.
+    fn anti_plane(&self, k: f64) -> Complex64 {
+        let mut below = self.half_space.map(|wave| LayerStiffness::<1>::half_space(&wave, k)[0]);
+        for (wave, thickness) in self.layers.iter().rev() {
+            let layer = LayerStiffness::<1>::layer(wave, *thickness, k);
+            let (direct, cross) = (layer.direct[0], layer.cross[0]);
+            below = Some(match below {
+                Some(below) => direct - cross * cross / (direct + below),
+                None => direct,
+            });
+        }
+        below.unwrap_or_default()
+    }
+
+    /// conj for ω < 0.
+    #[inline]
+    fn signed(&self, z: Complex64) -> Complex64 {
+        if self.negative { z.conj() } else { z }
+    }
+
+    /// Displacement matrices at all interfaces for unit tractions at interface `source`.
+    fn chain<const N: usize>(
+        &self,
+        layer: impl Fn(&Wave, f64) -> LayerStiffness<N>,
+        base: Option<SMatrix<Complex64, N, N>>,
+        source: usize,
+    ) -> Vec<SMatrix<Complex64, N, N>> {
+        let layers: Vec<_> = self.layers.iter().map(|(wave, h)| layer(wave, *h)).collect();
+        chain::displacements(&layers, base, source)
+    }
+}
+
+impl PreparedGround for DirectStiffnessAt {
+    fn surface(&self, k: f64) -> SurfaceCompliance {
+        let g = inverse_symmetric(&self.in_plane(k));
+        SurfaceCompliance {
+            u_zz: self.signed(g[(1, 1)]),
+            u_xx: self.signed(g[(0, 0)]),
+            // u_x = i u
+            u_xz: I * self.signed(g[(0, 1)]),
+            u_yy: self.signed(1.0 / self.anti_plane(k)),
+        }
+    }
+
+    #[inline]
+    fn u_zz(&self, k: f64) -> Complex64 {
+        let stiffness = self.in_plane(k);
+        let (a, b, c) = (stiffness[(0, 0)], stiffness[(0, 1)], stiffness[(1, 1)]);
+        self.signed(a / (a * c - b * b))
+    }
+
+    fn at_depths(&self, k: f64, source: usize) -> Vec<Compliance> {
+        let source = self.interfaces[source];
+        let in_plane = self.chain(
+            |wave, h| LayerStiffness::<2>::layer(wave, h, k),
+            self.half_space.map(|wave| LayerStiffness::<2>::half_space(&wave, k)),
+            source,
+        );
+        let anti_plane = self.chain(
+            |wave, h| LayerStiffness::<1>::layer(wave, h, k),
+            self.half_space.map(|wave| LayerStiffness::<1>::half_space(&wave, k)),
+            source,
+        );
+        self.interfaces
+            .iter()
+            .map(|&receiver| {
+                let g = in_plane[receiver];
+                Compliance {
+                    u_zz: self.signed(g[(1, 1)]),
+                    u_xx: self.signed(g[(0, 0)]),
+                    u_xz: I * self.signed(g[(0, 1)]),
+                    u_zx: -I * self.signed(g[(1, 0)]),
+                    u_yy: self.signed(anti_plane[receiver][0]),
+                }
+            })
+            .collect()
+    }
+
+    fn outline(&self) -> &Outline {
+        &self.outline
+    }
+}

@@ -1,0 +1,154 @@
+//! Layered ground: material → profile → compliance G(k, ω) in the wavenumber domain.
+//!
+//! | symbol | meaning |
+//! |---|---|
+//! | k | radial wavenumber √(β_x² + β_y²) [rad/m] |
+//! | p, s | vertical wavenumbers √(k² − k_p²), √(k² − k_s²), Re ≥ 0 |
+//! | γ | μ/(λ + 2μ) = (c_s/c_p)² |
+//! | u_zz … | displacement per unit traction wave e^{i(ωt + kx)} [m/Pa], z down |
+
+mod chain;
+mod compliance;
+pub mod direct_stiffness;
+pub mod half_space;
+mod layer_stiffness;
+mod material;
+mod profile;
+pub mod strip;
+pub(crate) mod wave;
+
+pub use compliance::{Compliance, SurfaceCompliance};
+pub use direct_stiffness::DirectStiffness;
+pub use material::{Elastic, Material};
+pub use profile::{Base, Layer, Profile};
+pub use strip::{Compatibility, Strip};
+
+use crate::math::quadrature::Estimate;
+use num_complex::Complex64;
+use thiserror::Error;
+
+/// A way to compute the compliance of a profile: settings only.
+pub trait GroundSolver: Send + Sync {
+    /// Does all that depends on `omega` [rad/s] alone, for loads and receivers at `depths` [m] (may be empty: surface only).
+    ///
+    /// # Errors
+    /// A depth outside the ground.
+    fn prepare(
+        &self,
+        profile: &Profile,
+        omega: f64,
+        depths: &[f64],
+    ) -> Result<Box<dyn PreparedGround>, SoilError>;
+}
+
+/// A profile at one ω, ready for any wavenumber.
+pub trait PreparedGround: Send + Sync {
+    /// Surface compliances at radial wavenumber `k` ≥ 0 [rad/m]; k > 0 where ω = 0 and the base is a half-space.
+    fn surface(&self, k: f64) -> SurfaceCompliance;
+
+    /// Vertical displacement per vertical traction at the surface [m/Pa].
+    fn u_zz(&self, k: f64) -> Complex64 {
+        self.surface(k).u_zz
+    }
+
+    /// Compliances at every prepared depth for a load at depth number `source`.
+    fn at_depths(&self, k: f64, source: usize) -> Vec<Compliance>;
+
+    /// Surface compliances of many wavenumbers.
+    fn batch(&self, k: &[f64]) -> Vec<SurfaceCompliance> {
+        k.iter().map(|&k| self.surface(k)).collect()
+    }
+
+    /// What the strip integral must know of the ground besides G: its static tail and where G changes.
+    fn outline(&self) -> &strip::Outline;
+
+    /// 1/k_eq(β, ω) [m²/N] of a loaded strip, by quadrature unless the solver knows better.
+    fn strip(&self, beta: f64, strip: Strip, relative: f64) -> Estimate {
+        strip::quadrature(&|k| self.u_zz(k), self.outline(), beta, strip, relative)
+    }
+}
+
+/// A solver by name, as a case file asks for it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Solver {
+    /// Exact layer stiffness matrices.
+    #[default]
+    DirectStiffness,
+}
+
+impl GroundSolver for Solver {
+    fn prepare(
+        &self,
+        profile: &Profile,
+        omega: f64,
+        depths: &[f64],
+    ) -> Result<Box<dyn PreparedGround>, SoilError> {
+        match self {
+            Self::DirectStiffness => DirectStiffness.prepare(profile, omega, depths),
+        }
+    }
+}
+
+/// Why a ground cannot be built or asked.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum SoilError {
+    /// A quantity must be finite and positive.
+    #[error("{quantity} is {value} {unit}: it must be finite and above zero")]
+    NotPositive {
+        /// What it is.
+        quantity: &'static str,
+        /// What was given.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// Poisson's ratio out of range.
+    #[error("Poisson's ratio is {value}: it must lie above -1 and below 0.5 (use 0.499 for undrained clay)")]
+    PoissonRatio {
+        /// What was given.
+        value: f64,
+    },
+    /// c_p too small for its c_s.
+    #[error(
+        "pressure wave speed {c_p} m/s is too low for a shear wave speed of {c_s} m/s: above {least:.1} m/s the bulk modulus is positive"
+    )]
+    PressureSpeed {
+        /// c_p [m/s]
+        c_p: f64,
+        /// c_s [m/s]
+        c_s: f64,
+        /// Least c_p [m/s].
+        least: f64,
+    },
+    /// Loss factor negative or not finite.
+    #[error("{quantity} is {value}: it must be finite and not negative (loss factor = 2 × damping ratio)")]
+    LossFactor {
+        /// Which.
+        quantity: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// The pair of loss factors makes compression feed energy in.
+    #[error(
+        "pressure loss factor {loss_pressure} is too small for the shear loss factor: compression would gain energy below {least:.4}"
+    )]
+    NotPassive {
+        /// What was given.
+        loss_pressure: f64,
+        /// Least value.
+        least: f64,
+    },
+    /// A rigid base with nothing on it.
+    #[error("the ground has no layer on its rigid base: add a layer, or use a half-space")]
+    NoGround,
+    /// A depth outside the ground.
+    #[error("depth {depth} m is outside the ground (0 to {bottom} m{})", if *rigid { ", rigid below" } else { " and the half-space below" })]
+    Depth {
+        /// What was asked [m].
+        depth: f64,
+        /// Bottom of the layers [m].
+        bottom: f64,
+        /// True on a rigid base.
+        rigid: bool,
+    },
+}

@@ -1,0 +1,251 @@
+//! Compliance of a loaded strip of ground: Eq. 80, corrected (THEORY 3), by adaptive quadrature.
+//!
+//! ```text
+//! 1/k_eq(β, ω) = (1/π) ∫₀^∞ G_zz(√(β² + y²), ω) C(y b) dy
+//! C = sinc (centre line)  or  sinc² (mean over the strip),  sinc x = sin x / x
+//! ```
+//!
+//! The slow tail G ≈ A/k + C/k³ of the top layer is removed as A/κ + B/κ³, κ² = k² + 1/b², whose strip integrals
+//! are known; what remains falls like k⁻⁵ and is integrated until its envelope is below the tolerance.
+
+use super::{Profile, half_space};
+use crate::math::bessel::modified_bessel;
+use crate::math::quadrature::{Adaptive, Estimate, Tolerance};
+use num_complex::Complex64;
+use std::f64::consts::PI;
+
+/// Evaluations of G allowed for one strip integral.
+const MAX_COUNT: usize = 60_000;
+
+/// Which displacement of the strip the track follows; the load is uniform either way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Compatibility {
+    /// Under the centre line: sinc.
+    Centre,
+    /// Mean over the strip: sinc².
+    Mean,
+}
+
+/// A uniformly loaded strip along x.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strip {
+    /// b [m], half of the contact width.
+    pub half_width: f64,
+    /// Displacement the track follows.
+    pub compatibility: Compatibility,
+}
+
+impl Strip {
+    /// C(β_y b): 1 at 0.
+    #[inline]
+    pub fn kernel(&self, beta_y: f64) -> f64 {
+        let sinc = sinc(beta_y * self.half_width);
+        match self.compatibility {
+            Compatibility::Centre => sinc,
+            Compatibility::Mean => sinc * sinc,
+        }
+    }
+}
+
+/// sin x / x
+#[inline]
+pub fn sinc(x: f64) -> f64 {
+    if x.abs() < 1e-4 { 1.0 - x * x / 6.0 } else { x.sin() / x }
+}
+
+/// Where G(k) of a profile changes, and how it ends.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outline {
+    /// ω [rad/s]
+    pub omega: f64,
+    /// G_zz ≈ A/k + C/k³ of the top material: (A, C).
+    pub tail: (Complex64, Complex64),
+    /// ω/c_p, ω/c_s and ω/c_R of every material, ascending [rad/m].
+    pub wavenumbers: Vec<f64>,
+    /// Thickness of the top layer [m]; None on a half-space.
+    pub top_thickness: Option<f64>,
+    /// Depth of the base [m].
+    pub depth: f64,
+}
+
+impl Outline {
+    /// Outline of `profile` at `omega` [rad/s].
+    pub fn new(profile: &Profile, omega: f64) -> Self {
+        let mut wavenumbers: Vec<f64> = profile
+            .materials()
+            .flat_map(|m| [m.c_p(), m.c_s(), m.rayleigh_speed()])
+            .map(|c| omega.abs() / c)
+            .collect();
+        wavenumbers.sort_by(f64::total_cmp);
+        Self {
+            omega,
+            tail: half_space::static_tail(profile.top(), omega),
+            wavenumbers,
+            top_thickness: profile.layers().first().map(|l| l.thickness),
+            depth: profile.depth(),
+        }
+    }
+}
+
+/// The strip integrals of 1/κ and 1/κ³, κ² = β_c² + y², over (1/π)∫₀^∞ … C(yb) dy.
+///
+/// From ∫₀^∞ cos(yx)/κ dy = K₀(β_c x) and ∫₀^∞ cos(yx)/κ³ dy = (x/β_c) K₁(β_c x), averaged over the strip
+/// (centre: x from 0 to b; mean: (2b − x) over 0 to 2b). Test: `tests::tail_integrals`.
+fn tail_integrals(beta_c: f64, strip: Strip) -> (f64, f64) {
+    let b = strip.half_width;
+    match strip.compatibility {
+        Compatibility::Centre => {
+            let x = beta_c * b;
+            let m = modified_bessel(x);
+            let first = m.integral_k0 / (PI * x);
+            // ∫₀ˣ t K₁ dt = ∫₀ˣ K₀ − x K₀
+            let third = (m.integral_k0 - x * m.k0) / (PI * x * beta_c * beta_c);
+            (first, third)
+        }
+        Compatibility::Mean => {
+            let x = 2.0 * beta_c * b;
+            let m = modified_bessel(x);
+            // ∫₀ˣ (x − t) K₀ dt, ∫₀ˣ t K₀ = 1 − x K₁
+            let first = 2.0 * (x * m.integral_k0 - (1.0 - x * m.k1)) / (PI * x * x);
+            // ∫₀ˣ (x − t) t K₁ dt, ∫₀ˣ t² K₁ = 2 − x² K₂, K₂ = K₀ + 2K₁/x
+            let moment = x * (m.integral_k0 - x * m.k0) - (2.0 - x * x * m.k0 - 2.0 * x * m.k1);
+            (first, 2.0 * moment / (PI * x * x * beta_c * beta_c))
+        }
+    }
+}
+
+/// Panel ends for ∫₀^top G(√(β² + y²)) dy: where waves and layers change G, doubling in between.
+fn breakpoints(outline: &Outline, beta: f64, top: f64) -> Vec<f64> {
+    let mut points: Vec<f64> = outline
+        .wavenumbers
+        .iter()
+        .filter(|&&k| k > beta * (1.0 + 1e-9))
+        .map(|k| (k * k - beta * beta).sqrt())
+        .collect();
+    // the smallest scale on which G(√(β² + y²)) starts to vary with y
+    let slowest = outline.wavenumbers.first().copied().unwrap_or(0.0);
+    let mut y = beta.max(slowest).max(1e-12 * top);
+    while y < top {
+        points.push(y);
+        y *= 3.0;
+    }
+    points.push(0.0);
+    points.push(top);
+    points.retain(|&p| p <= top);
+    points.sort_by(f64::total_cmp);
+    points.dedup_by(|a, b| *a - *b < 1e-3 * *a);
+    points
+}
+
+/// 1/k_eq(β, ω) [m²/N] for ground whose G_zz is `u_zz`, to `relative` of its modulus.
+///
+/// Arguments: `beta` [rad/m], any sign; not zero where ω = 0 on a half-space (there the value is infinite).
+/// Accuracy: 1e-9 against `reference/k_eq.csv` at `relative` = 1e-9 (test `cross_solver::k_eq`); finds poles as
+/// close to the axis as η = 1e-4 (test `cross_solver::light_damping`); `converged` says when it cannot.
+/// Source: Eq. 80 with THEORY 3.
+pub fn quadrature(
+    u_zz: &dyn Fn(f64) -> Complex64,
+    outline: &Outline,
+    beta: f64,
+    strip: Strip,
+    relative: f64,
+) -> Estimate {
+    let beta = beta.abs();
+    let b = strip.half_width;
+    let kappa0 = 1.0 / b;
+    let (a, c) = outline.tail;
+    // A/k + C/k³ = A/κ + (C + A κ₀²/2)/κ³ + O(k⁻⁵), κ² = k² + κ₀²
+    let third = c + 0.5 * a * kappa0 * kappa0;
+    let tail = |k: f64| {
+        let kappa2 = k * k + kappa0 * kappa0;
+        (a + third / kappa2) / kappa2.sqrt()
+    };
+    let mut integrand = |y: f64| {
+        let k = (beta * beta + y * y).sqrt();
+        (u_zz(k) - tail(k)) * strip.kernel(y)
+    };
+    let (first_integral, third_integral) = tail_integrals((beta * beta + kappa0 * kappa0).sqrt(), strip);
+    let known = (a * first_integral + third * third_integral) * PI;
+
+    let highest = outline.wavenumbers.last().copied().unwrap_or(0.0);
+    let mut top = (2.0 * highest).max(2.0 * beta).max(4.0 * kappa0);
+    if let Some(thickness) = outline.top_thickness {
+        // e^{−2kh} falls to 2 % at 2/h; below that the tail does not hold
+        top = top.max(2.0 / thickness);
+    }
+    // whole periods of the kernel
+    let period = 2.0 * PI / b;
+    let mut points = breakpoints(outline, beta, top);
+    // no more than a period and a half of the kernel in a panel
+    let mut fine = vec![0.0];
+    for pair in points.windows(2) {
+        let parts = ((pair[1] - pair[0]) / (1.5 * period)).ceil().max(1.0);
+        for i in 1..=parts as usize {
+            fine.push(pair[0] + (pair[1] - pair[0]) * i as f64 / parts);
+        }
+    }
+    points = fine;
+
+    let mut integral = Adaptive::new();
+    integral.add(&mut integrand, &points);
+    let mut count = 15 * points.len();
+    // beyond the top: one period at a time until the envelope |G − tail|·|C|·y/5 is negligible
+    let mut cut;
+    loop {
+        let envelope = match strip.compatibility {
+            Compatibility::Centre => 1.0 / (top * b).max(1.0),
+            Compatibility::Mean => 1.0 / (top * b).max(1.0).powi(2),
+        };
+        let k = (beta * beta + top * top).sqrt();
+        cut = (u_zz(k) - tail(k)).norm() * envelope * top / 5.0;
+        let goal = 0.3 * relative * (integral.value() + known).norm();
+        if cut <= goal || count > MAX_COUNT / 2 {
+            break;
+        }
+        let next = top + period.max(0.25 * top).min(8.0 * period);
+        let parts = ((next - top) / (1.5 * period)).ceil().max(1.0);
+        for i in 0..parts as usize {
+            let from = top + (next - top) * i as f64 / parts;
+            integral.add(&mut integrand, &[from, top + (next - top) * (i + 1) as f64 / parts]);
+            count += 15;
+        }
+        top = next;
+    }
+    let tolerance = Tolerance { relative: 0.7 * relative, absolute: 0.0, max_count: MAX_COUNT };
+    let estimate = integral.refine(&mut integrand, known, tolerance);
+    let value = (estimate.value + known) / PI;
+    let error = (estimate.error + cut) / PI;
+    Estimate {
+        value,
+        error,
+        count: estimate.count,
+        converged: estimate.converged && value.is_finite() && error <= 1.01 * relative * value.norm(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::quadrature::integrate;
+
+    #[test]
+    fn tail_integrals_by_quadrature() {
+        // to y = 4000/b the rest of 1/κ · sinc is 1/(y² b) = 6e-8; measured 4e-8 and 2e-12
+        for compatibility in [Compatibility::Centre, Compatibility::Mean] {
+            let strip = Strip { half_width: 1.25, compatibility };
+            for beta_c in [0.8, 2.0, 5.0] {
+                let (first, third) = tail_integrals(beta_c, strip);
+                let points: Vec<f64> = (0..=3000).map(f64::from).collect();
+                let tolerance = Tolerance { relative: 1e-12, absolute: 0.0, max_count: 1_000_000 };
+                let by_quadrature = |power: i32| {
+                    let f = |y: f64| {
+                        Complex64::from(strip.kernel(y) / (beta_c * beta_c + y * y).sqrt().powi(power))
+                    };
+                    integrate(f, &points, tolerance).value.re / PI
+                };
+                assert!((first / by_quadrature(1) - 1.0).abs() < 3e-7, "{first}");
+                assert!((third / by_quadrature(3) - 1.0).abs() < 1e-10, "{third}");
+            }
+        }
+    }
+}

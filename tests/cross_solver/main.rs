@@ -1,0 +1,7 @@
+//! Solvers against reference numbers and against one another.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod k_eq;
+mod surface_compliance;
