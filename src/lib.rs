@@ -2,5 +2,9 @@
 pub mod concern;
 pub mod dataset;
 pub mod figure;
+pub mod foundation;
+pub mod interaction;
 pub mod math;
 pub mod soil;
+pub mod track;
+pub mod vehicle;

@@ -47,18 +47,16 @@ mod tests {
 
     #[test]
     fn tabulated_values() {
-        // Abramowitz & Stegun, tables 9.8 and 11.1, extended; measured 3e-16 to 2e-15
+        // 25-digit arithmetic (mpmath); measured 3e-16 to 2e-15
         for (x, k0, k1, integral) in [
             (1.0, 0.421_024_438_240_708_34, 0.601_907_230_197_234_6, 1.242_509_848_623_778),
-            (0.1, 2.427_069_024_702_017, 9.853_844_780_870_606, f64::NAN),
-            (5.0, 0.003_691_098_334_042_594_3, 0.004_044_613_445_452_164, f64::NAN),
+            (0.1, 2.427_069_024_702_017, 9.853_844_780_870_606, 0.342_164_443_757_974_4),
+            (5.0, 0.003_691_098_334_042_594_3, 0.004_044_613_445_452_164, 1.567_387_390_728_366),
         ] {
             let got = modified_bessel(x);
             assert!((got.k0 / k0 - 1.0).abs() < 1e-14, "{x}: {}", got.k0);
             assert!((got.k1 / k1 - 1.0).abs() < 1e-14, "{x}: {}", got.k1);
-            if integral.is_finite() {
-                assert!((got.integral_k0 / integral - 1.0).abs() < 1e-13, "{}", got.integral_k0);
-            }
+            assert!((got.integral_k0 / integral - 1.0).abs() < 1e-13, "{}", got.integral_k0);
         }
     }
 

@@ -3,5 +3,6 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod critical_speed;
 mod k_eq;
 mod surface_compliance;

@@ -1,0 +1,87 @@
+//! What a track stands on: k(β, ω) [N/m²], nothing more.
+
+mod layered_soil;
+mod winkler;
+
+pub use layered_soil::LayeredSoil;
+pub use winkler::Winkler;
+
+use num_complex::Complex64;
+use thiserror::Error;
+
+/// A stiffness with what is known of its error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stiffness {
+    /// k(β, ω) [N/m²]
+    pub value: Complex64,
+    /// Estimated relative error.
+    pub relative_error: f64,
+    /// False where the wanted accuracy was not reached.
+    pub converged: bool,
+}
+
+/// k along ω = −βv for one speed, for any β > 0.
+pub struct Moving<'a> {
+    /// k(β, −βv) [N/m²]
+    pub stiffness: Box<dyn Fn(f64) -> Complex64 + Send + Sync + 'a>,
+    /// False where the wanted accuracy was not reached somewhere.
+    pub converged: bool,
+}
+
+/// A foundation.
+pub trait Foundation: Send + Sync {
+    /// k(β, ω) [N/m²] at wavenumber `beta` [rad/m] along the track and `omega` [rad/s].
+    ///
+    /// # Errors
+    /// Where the foundation has no finite stiffness there.
+    fn stiffness(&self, beta: f64, omega: f64) -> Result<Stiffness, FoundationError>;
+
+    /// k along the line ω = −βv of a constant load at `speed` [m/s], good for `from` ≤ β ≤ `to` [rad/m] and many values;
+    /// `allowed(β, k)` is the error of 1/k [m²/N] that the caller can bear there.
+    ///
+    /// # Errors
+    /// As `stiffness`.
+    fn moving(
+        &self,
+        speed: f64,
+        from: f64,
+        to: f64,
+        allowed: &dyn Fn(f64, Complex64) -> f64,
+    ) -> Result<Moving<'_>, FoundationError>;
+}
+
+/// Why a foundation cannot answer.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum FoundationError {
+    /// A parameter must be finite and positive.
+    #[error("{quantity} is {value} {unit}: it must be finite and above zero")]
+    NotPositive {
+        /// What it is.
+        quantity: &'static str,
+        /// What was given.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// A parameter must be finite and not negative.
+    #[error("{quantity} is {value} {unit}: it must be finite and not negative")]
+    Negative {
+        /// What it is.
+        quantity: &'static str,
+        /// What was given.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// Waves of undamped ground are real poles of the integral.
+    #[error(
+        "the ground has no damping and the phase speed {phase_speed:.1} m/s exceeds its slowest wave ({slowest:.1} m/s): \
+         the integral diverges; give every layer a loss factor above zero (0.001 is enough)"
+    )]
+    Undamped {
+        /// |ω/β| [m/s]
+        phase_speed: f64,
+        /// Slowest Rayleigh speed [m/s].
+        slowest: f64,
+    },
+}

@@ -1,0 +1,214 @@
+//! A track on a foundation under a constant load at constant speed, seen from the load.
+//!
+//! ```text
+//! w(x′) = (1/2π) ∫ ũ(β, −βv) e^{iβx′} dβ = (1/π) Re ∫₀^∞ ũ(β, −βv) e^{iβx′} dβ
+//! ```
+//!
+//! The integral is done once by adaptive panels; the same nodes then serve every x′, every member and, by
+//! superposition, every axle. There is no period and no wrap-around.
+
+use crate::foundation::{Foundation, FoundationError};
+use crate::math::quadrature::{Adaptive, Tolerance};
+use crate::soil::strip::sinc;
+use crate::track::{Displacements, Stack};
+use num_complex::Complex64;
+use std::f64::consts::PI;
+use thiserror::Error;
+
+/// Smallest wavenumber of the foundation [rad/m]; below it the last value is kept. The logarithm of a half-space
+/// makes that an error of about 1e-6 of the deflection.
+const BETA_MIN: f64 = 1e-6;
+/// Wanted error of the integral relative to the deflection under the load.
+const ACCURACY: f64 = 1e-5;
+/// Evaluations of the track allowed (the foundation is interpolated).
+const MAX_COUNT: usize = 600_000;
+
+/// A stack on a foundation.
+pub struct TrackOnFoundation<'a> {
+    stack: &'a Stack,
+    foundation: &'a dyn Foundation,
+    /// Half-length of each axle's contact along the track [m]; 0 for a point on a rail.
+    half_length: f64,
+}
+
+/// The response to a unit load at one speed, ready for any position.
+#[derive(Clone, Debug)]
+pub struct MovingLoad {
+    /// v [m/s]
+    pub speed: f64,
+    beta: Vec<f64>,
+    /// weight × ũ / π of rail and base.
+    rail: Vec<Complex64>,
+    base: Vec<Complex64>,
+    /// False where a tolerance was not met.
+    pub converged: bool,
+}
+
+/// Displacements of rail and base at uniform positions, per unit load [m/N].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shape {
+    /// First position x′ [m]; positive ahead of the load.
+    pub from: f64,
+    /// Spacing [m].
+    pub step: f64,
+    /// Rail, positive down.
+    pub rail: Vec<f64>,
+    /// Base of the track, positive down.
+    pub base: Vec<f64>,
+}
+
+/// Why a moving response cannot be computed.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum InteractionError {
+    /// The foundation cannot answer.
+    #[error(transparent)]
+    Foundation(#[from] FoundationError),
+    /// A real pole or a response without end.
+    #[error(
+        "the response at {speed:.2} m/s did not settle (error {error:.1e} of the deflection): waves without damping run \
+         with the load; give the ground or the track some damping"
+    )]
+    Diverges {
+        /// v [m/s]
+        speed: f64,
+        /// Relative error reached.
+        error: f64,
+    },
+}
+
+impl<'a> TrackOnFoundation<'a> {
+    /// `stack` on `foundation`, each axle pressing over 2 × `half_length` [m] (0: a point, as on rails).
+    pub fn new(stack: &'a Stack, foundation: &'a dyn Foundation, half_length: f64) -> Self {
+        Self { stack, foundation, half_length }
+    }
+
+    /// Displacements per unit load at (β, ω), with the foundation's stiffness there.
+    fn respond(&self, beta: f64, omega: f64, stiffness: Complex64) -> Displacements {
+        let load = sinc(beta * self.half_length);
+        let u = self.stack.respond(beta, omega, stiffness);
+        Displacements { rail: u.rail * load, base: u.base * load }
+    }
+
+    /// The largest wavenumber that matters [rad/m], beyond which ∫ |ũ| dβ ≈ |ũ|β/3 is below the accuracy, and ∫ |ũ| dβ.
+    fn extent(&self, speed: f64) -> Result<(f64, f64), InteractionError> {
+        const RATIO: f64 = 1.5;
+        let mut beta = 0.02;
+        let mut sum = 0.0;
+        loop {
+            let stiffness = self.foundation.stiffness(beta, -beta * speed)?.value;
+            // the envelope of the load's spectrum, not its zeros
+            let load = (1.0 + (beta * self.half_length).powi(2)).sqrt().recip();
+            let u = self.stack.respond(beta, -beta * speed, stiffness).rail.norm() * load;
+            sum += u * beta * RATIO.ln();
+            if u * beta < 3.0 * ACCURACY * sum || beta > 400.0 {
+                return Ok((beta, sum));
+            }
+            beta *= RATIO;
+        }
+    }
+
+    /// The response to a unit load at `speed` [m/s] for positions with |x′| ≤ `reach` [m].
+    ///
+    /// Accuracy: 1e-5 of the deflection under the load (tests
+    /// `analytic::winkler`, `cross_solver::critical_speed`).
+    ///
+    /// # Errors
+    /// A foundation that cannot answer; a response that diverges.
+    pub fn moving(&self, speed: f64, reach: f64) -> Result<MovingLoad, InteractionError> {
+        let (beta_max, sum) = self.extent(speed)?;
+        // reciprocity: δu_rail = q² δ(1/k), q = k u_base the force handed down; its share of the integral is ∝ β in ln β
+        let allowed = |beta: f64, stiffness: Complex64| {
+            let q = stiffness * self.respond(beta, -beta * speed, stiffness).base;
+            ACCURACY * sum / (q.norm_sqr() * beta).max(f64::MIN_POSITIVE)
+        };
+        let foundation = self.foundation.moving(speed, BETA_MIN, beta_max, &allowed)?;
+        let at = |beta: f64| {
+            let stiffness = (foundation.stiffness)(beta.max(BETA_MIN));
+            self.respond(beta, -beta * speed, stiffness)
+        };
+        // panels: growing from the logarithm at 0, then no wider than fifteen nodes can follow e^{iβx′}
+        let widest = 14.0 / reach.max(1.0);
+        let mut points = vec![0.0, BETA_MIN];
+        let mut beta = BETA_MIN;
+        while beta < beta_max {
+            beta = (beta + (3.0 * beta).min(widest)).min(beta_max);
+            points.push(beta);
+        }
+        let mut integral = Adaptive::new();
+        let mut integrand = |beta: f64| at(beta).rail;
+        integral.add(&mut integrand, &points);
+        let tolerance = Tolerance { relative: ACCURACY, absolute: 0.0, max_count: MAX_COUNT };
+        let estimate = integral.refine(&mut integrand, Complex64::ZERO, tolerance);
+        let error = estimate.error / estimate.value.norm();
+        if !estimate.converged && error.is_nan() | (error > 1e-3) {
+            return Err(InteractionError::Diverges { speed, error });
+        }
+        let mut response = MovingLoad {
+            speed,
+            beta: Vec::new(),
+            rail: Vec::new(),
+            base: Vec::new(),
+            converged: estimate.converged && foundation.converged,
+        };
+        for panel in integral.into_panels() {
+            for i in 0..15 {
+                let u = at(panel.x[i]);
+                response.beta.push(panel.x[i]);
+                response.rail.push(u.rail * (panel.w[i] / PI));
+                response.base.push(u.base * (panel.w[i] / PI));
+            }
+        }
+        Ok(response)
+    }
+}
+
+impl MovingLoad {
+    /// Rail displacement per unit load at `x` = x′ [m], positive ahead of the load [m/N].
+    pub fn rail(&self, x: f64) -> f64 {
+        self.beta.iter().zip(&self.rail).map(|(beta, u)| (u * Complex64::cis(beta * x)).re).sum()
+    }
+
+    /// Rail and base at `count` positions from `from` in steps of `step` [m].
+    pub fn shape(&self, from: f64, step: f64, count: usize) -> Shape {
+        Shape {
+            from,
+            step,
+            rail: self.transform(&self.rail, from, step, count),
+            base: self.transform(&self.base, from, step, count),
+        }
+    }
+
+    /// Σ Re(u e^{iβx}) on a uniform grid, eight nodes at a time; e^{iβx} by rotation, restarted every 256 steps so that
+    /// its rounding stays below 1e-13.
+    fn transform(&self, u: &[Complex64], from: f64, step: f64, count: usize) -> Vec<f64> {
+        const LANES: usize = 8;
+        const RESTART: usize = 256;
+        let mut sum = vec![0.0; count];
+        for (betas, values) in self.beta.chunks(LANES).zip(u.chunks(LANES)) {
+            let (mut turn_re, mut turn_im) = ([1.0; LANES], [0.0; LANES]);
+            for (i, beta) in betas.iter().enumerate() {
+                (turn_im[i], turn_re[i]) = (beta * step).sin_cos();
+            }
+            for (block, part) in sum.chunks_mut(RESTART).enumerate() {
+                let x = from + step * (block * RESTART) as f64;
+                let (mut re, mut im) = ([0.0; LANES], [0.0; LANES]);
+                for (i, (beta, value)) in betas.iter().zip(values).enumerate() {
+                    let z = value * Complex64::cis(beta * x);
+                    (re[i], im[i]) = (z.re, z.im);
+                }
+                for slot in part {
+                    let mut total = 0.0;
+                    for i in 0..LANES {
+                        total += re[i];
+                        (re[i], im[i]) = (
+                            re[i] * turn_re[i] - im[i] * turn_im[i],
+                            re[i] * turn_im[i] + im[i] * turn_re[i],
+                        );
+                    }
+                    *slot += total;
+                }
+            }
+        }
+        sum
+    }
+}
