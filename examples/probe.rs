@@ -31,7 +31,10 @@ fn main() {
     )
     .unwrap();
     let track = TrackOnFoundation::new(&stack, &soil, 0.0);
-    for v in [15.0, 200.0, 220.0] { for b in [0.003, 0.01, 0.03, 0.1, 0.3] {
-        let k = soil.stiffness(b, b*v).unwrap(); println!("{v} {b} {} {}", k.value, k.converged);
-    }}
+    for v in [15.0, 200.0, 220.0] {
+        for b in [0.003, 0.01, 0.03, 0.1, 0.3] {
+            let k = soil.stiffness(b, b * v).unwrap();
+            println!("{v} {b} {} {}", k.value, k.converged);
+        }
+    }
 }

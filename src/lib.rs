@@ -5,6 +5,8 @@ pub mod figure;
 pub mod foundation;
 pub mod interaction;
 pub mod math;
+pub mod progress;
 pub mod soil;
+pub mod study;
 pub mod track;
 pub mod vehicle;

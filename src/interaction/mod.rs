@@ -1,5 +1,9 @@
-//! Track on foundation.
+//! Track on foundation: moving loads along the track, and the ground around it.
 
+mod far_field;
+mod ground_field;
 mod moving_load;
 
-pub use moving_load::{InteractionError, MovingLoad, Shape, TrackOnFoundation};
+pub use far_field::FarField;
+pub use ground_field::{Field, GroundField, GroundFieldError, GroundLoad, Quantity, Window};
+pub use moving_load::{InteractionError, MovingLoad, MovingSpectrum, Shape, TrackOnFoundation};

@@ -7,7 +7,7 @@
 //! The integral is done once by adaptive panels; the same nodes then serve every x′, every member and, by
 //! superposition, every axle. There is no period and no wrap-around.
 
-use crate::foundation::{Foundation, FoundationError};
+use crate::foundation::{Foundation, FoundationError, Moving};
 use crate::math::quadrature::{Adaptive, Tolerance};
 use crate::soil::strip::sinc;
 use crate::track::{Displacements, Stack};
@@ -82,13 +82,6 @@ impl<'a> TrackOnFoundation<'a> {
         Self { stack, foundation, half_length }
     }
 
-    /// Displacements per unit load at (β, ω), with the foundation's stiffness there.
-    fn respond(&self, beta: f64, omega: f64, stiffness: Complex64) -> Displacements {
-        let load = sinc(beta * self.half_length);
-        let u = self.stack.respond(beta, omega, stiffness);
-        Displacements { rail: u.rail * load, base: u.base * load }
-    }
-
     /// The largest wavenumber that matters [rad/m], beyond which ∫ |ũ| dβ ≈ |ũ|β/3 is below the accuracy, and ∫ |ũ| dβ.
     fn extent(&self, speed: f64) -> Result<(f64, f64), InteractionError> {
         const RATIO: f64 = 1.5;
@@ -107,25 +100,30 @@ impl<'a> TrackOnFoundation<'a> {
         }
     }
 
+    /// The spectrum of a unit load at `speed` [m/s], with the foundation interpolated as finely as the rail feels it.
+    ///
+    /// # Errors
+    /// A foundation that cannot answer.
+    pub fn spectrum(&self, speed: f64) -> Result<MovingSpectrum<'_>, InteractionError> {
+        let (beta_max, sum) = self.extent(speed)?;
+        // reciprocity: δu_rail = q² δ(1/k), q = k u_base the force handed down; its share of the integral is ∝ β in ln β
+        let allowed = |beta: f64, stiffness: Complex64| {
+            let q = stiffness * self.stack.respond(beta, -beta * speed, stiffness).base;
+            ACCURACY * sum / (q.norm_sqr() * beta).max(f64::MIN_POSITIVE)
+        };
+        let foundation = self.foundation.moving(speed, BETA_MIN, beta_max, &allowed)?;
+        Ok(MovingSpectrum { stack: self.stack, half_length: self.half_length, foundation, speed, beta_max })
+    }
+
     /// The response to a unit load at `speed` [m/s] for positions with |x′| ≤ `reach` [m].
     ///
-    /// Accuracy: 1e-5 of the deflection under the load (tests
-    /// `analytic::winkler`, `cross_solver::critical_speed`).
+    /// Accuracy: 1e-5 of the deflection under the load (tests `analytic::winkler`, `cross_solver::critical_speed`).
     ///
     /// # Errors
     /// A foundation that cannot answer; a response that diverges.
     pub fn moving(&self, speed: f64, reach: f64) -> Result<MovingLoad, InteractionError> {
-        let (beta_max, sum) = self.extent(speed)?;
-        // reciprocity: δu_rail = q² δ(1/k), q = k u_base the force handed down; its share of the integral is ∝ β in ln β
-        let allowed = |beta: f64, stiffness: Complex64| {
-            let q = stiffness * self.respond(beta, -beta * speed, stiffness).base;
-            ACCURACY * sum / (q.norm_sqr() * beta).max(f64::MIN_POSITIVE)
-        };
-        let foundation = self.foundation.moving(speed, BETA_MIN, beta_max, &allowed)?;
-        let at = |beta: f64| {
-            let stiffness = (foundation.stiffness)(beta.max(BETA_MIN));
-            self.respond(beta, -beta * speed, stiffness)
-        };
+        let spectrum = self.spectrum(speed)?;
+        let beta_max = spectrum.beta_max;
         // panels: growing from the logarithm at 0, then no wider than fifteen nodes can follow e^{iβx′}
         let widest = 14.0 / reach.max(1.0);
         let mut points = vec![0.0, BETA_MIN];
@@ -135,12 +133,12 @@ impl<'a> TrackOnFoundation<'a> {
             points.push(beta);
         }
         let mut integral = Adaptive::new();
-        let mut integrand = |beta: f64| at(beta).rail;
+        let mut integrand = |beta: f64| spectrum.at(beta).rail;
         integral.add(&mut integrand, &points);
         let tolerance = Tolerance { relative: ACCURACY, absolute: 0.0, max_count: MAX_COUNT };
         let estimate = integral.refine(&mut integrand, Complex64::ZERO, tolerance);
         let error = estimate.error / estimate.value.norm();
-        if !estimate.converged && error.is_nan() | (error > 1e-3) {
+        if !estimate.converged && (error.is_nan() || error > 1e-3) {
             return Err(InteractionError::Diverges { speed, error });
         }
         let mut response = MovingLoad {
@@ -148,17 +146,71 @@ impl<'a> TrackOnFoundation<'a> {
             beta: Vec::new(),
             rail: Vec::new(),
             base: Vec::new(),
-            converged: estimate.converged && foundation.converged,
+            converged: estimate.converged && spectrum.foundation.converged,
         };
         for panel in integral.into_panels() {
             for i in 0..15 {
-                let u = at(panel.x[i]);
+                let u = spectrum.at(panel.x[i]);
                 response.beta.push(panel.x[i]);
                 response.rail.push(u.rail * (panel.w[i] / PI));
                 response.base.push(u.base * (panel.w[i] / PI));
             }
         }
         Ok(response)
+    }
+}
+
+/// Spectra of a unit load moving over a track on a foundation, at ω = −βv.
+pub struct MovingSpectrum<'a> {
+    stack: &'a Stack,
+    half_length: f64,
+    foundation: Moving<'a>,
+    speed: f64,
+    /// Beyond it [rad/m] nothing matters.
+    pub beta_max: f64,
+}
+
+impl MovingSpectrum<'_> {
+    fn respond(&self, beta: f64) -> (Displacements, Complex64) {
+        let stiffness = (self.foundation.stiffness)(beta.max(BETA_MIN));
+        let load = sinc(beta * self.half_length);
+        let u = self.stack.respond(beta, -beta * self.speed, stiffness);
+        (Displacements { rail: u.rail * load, base: u.base * load }, stiffness)
+    }
+
+    /// Displacements per unit load [m per N/m] at `beta` ≥ 0 [rad/m].
+    pub fn at(&self, beta: f64) -> Displacements {
+        self.respond(beta).0
+    }
+
+    /// q̃ = k_eq ũ_base: force handed to the ground per unit load [1], at `beta` ≥ 0 [rad/m]; 1 at β = 0.
+    pub fn force(&self, beta: f64) -> Complex64 {
+        let (u, stiffness) = self.respond(beta);
+        u.base * stiffness
+    }
+
+    /// The wavenumber [rad/m] beyond which less than 1e-4 of the load reaches the ground: the track spreads it.
+    pub fn force_extent(&self) -> f64 {
+        let mut beta = self.beta_max;
+        while beta > 0.1 && self.force(beta).norm() < 1e-4 {
+            beta *= 0.95;
+        }
+        beta
+    }
+
+    /// The wavenumber [rad/m] around which the base responds most, ∫ |ũ_base| d ln β counted.
+    pub fn dominant_wavenumber(&self) -> f64 {
+        let steps = 400;
+        let at = |i: i32| 0.01 * (self.beta_max / 0.01).powf(f64::from(i) / f64::from(steps));
+        (0..=steps)
+            .map(at)
+            .max_by(|a, b| (a * self.at(*a).base.norm()).total_cmp(&(b * self.at(*b).base.norm())))
+            .unwrap_or(1.0)
+    }
+
+    /// False where the foundation missed its accuracy.
+    pub fn converged(&self) -> bool {
+        self.foundation.converged
     }
 }
 
@@ -178,10 +230,10 @@ impl MovingLoad {
         }
     }
 
-    /// Σ Re(u e^{iβx}) on a uniform grid, eight nodes at a time; e^{iβx} by rotation, restarted every 256 steps so that
+    /// Σ Re(u e^{iβx}) on a uniform grid, four nodes at a time; e^{iβx} by rotation, restarted every 256 steps so that
     /// its rounding stays below 1e-13.
     fn transform(&self, u: &[Complex64], from: f64, step: f64, count: usize) -> Vec<f64> {
-        const LANES: usize = 8;
+        const LANES: usize = 4;
         const RESTART: usize = 256;
         let mut sum = vec![0.0; count];
         for (betas, values) in self.beta.chunks(LANES).zip(u.chunks(LANES)) {

@@ -2,6 +2,7 @@
 
 pub mod bessel;
 pub mod complex;
+pub mod fourier;
 pub mod interpolation;
 pub mod maximum;
 pub mod quadrature;

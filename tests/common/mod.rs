@@ -1,6 +1,8 @@
 //! The grounds of the reference files, and a reader for their tables.
 #![allow(dead_code)]
 
+pub mod tracks;
+
 use groundwave::soil::{Base, Elastic, Layer, Material, Profile};
 
 /// A soil from (E, ν, ρ, η).

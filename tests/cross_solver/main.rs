@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod contour;
 mod critical_speed;
 mod k_eq;
 mod surface_compliance;

@@ -1,0 +1,169 @@
+//! One file per question an engineer asks.
+
+mod contour;
+mod critical_speed;
+mod equivalent_stiffness;
+mod model;
+mod surface_compliance;
+mod track_response;
+
+pub use contour::Contour;
+pub use critical_speed::CriticalSpeed;
+pub use equivalent_stiffness::EquivalentStiffness;
+pub use model::{Contact, Model, Support};
+pub use surface_compliance::SurfaceComplianceTable;
+pub use track_response::{Record, TrackResponse};
+
+use crate::concern::Concern;
+use crate::dataset::Group;
+use crate::figure::Figure;
+use crate::foundation::FoundationError;
+use crate::interaction::{GroundFieldError, InteractionError};
+use crate::progress::Observer;
+use crate::soil::SoilError;
+use thiserror::Error;
+
+/// One number a reader came for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// Key in `summary.json`.
+    pub key: String,
+    /// What it is, in words.
+    pub what: String,
+    /// Its value, SI.
+    pub value: f64,
+    /// SI unit.
+    pub unit: &'static str,
+    /// The value as a report shows it, with unit.
+    pub shown: String,
+}
+
+impl Answer {
+    /// An answer from its parts.
+    pub fn new(key: &str, what: impl Into<String>, value: f64, unit: &'static str, shown: String) -> Self {
+        Self { key: key.to_owned(), what: what.into(), value, unit, shown }
+    }
+}
+
+/// What a study leaves.
+#[derive(Clone, Debug, Default)]
+pub struct Outcome {
+    /// Arrays for HDF5 and CSV.
+    pub group: Group,
+    /// Pictures with a caption each.
+    pub figures: Vec<(Figure, String)>,
+    /// The numbers a reader came for.
+    pub answers: Vec<Answer>,
+    /// What the result may be doubted for.
+    pub concerns: Vec<Concern>,
+}
+
+/// A question with its settings.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Study {
+    /// At which speed does the track move most?
+    CriticalSpeed(CriticalSpeed),
+    /// What shape has the rail?
+    TrackResponse(TrackResponse),
+    /// What does the ground around the train do?
+    Contour(Contour),
+    /// k_eq(β, ω)
+    EquivalentStiffness(EquivalentStiffness),
+    /// G(k, ω)
+    SurfaceCompliance(SurfaceComplianceTable),
+}
+
+impl Study {
+    /// Name of the study: its table in the case file, its group in the HDF5 file.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::CriticalSpeed(_) => "critical_speed",
+            Self::TrackResponse(_) => "track_response",
+            Self::Contour(_) => "contour",
+            Self::EquivalentStiffness(_) => "equivalent_stiffness",
+            Self::SurfaceCompliance(_) => "surface_compliance",
+        }
+    }
+
+    /// Answers the question for `model`.
+    ///
+    /// # Errors
+    /// A response that diverges, a grid beyond the memory, a question the model has no answer to.
+    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        match self {
+            Self::CriticalSpeed(study) => study.run(model, observer),
+            Self::TrackResponse(study) => study.run(model, observer),
+            Self::Contour(study) => study.run(model, observer),
+            Self::EquivalentStiffness(study) => study.run(model, observer),
+            Self::SurfaceCompliance(study) => study.run(model, observer),
+        }
+    }
+
+    /// Refuses, before anything is computed, what cannot be answered.
+    ///
+    /// # Errors
+    /// As `run`, where it can be known beforehand.
+    pub fn check(&self, model: &Model) -> Result<(), StudyError> {
+        match self {
+            Self::CriticalSpeed(_) | Self::TrackResponse(_) => model.track().map(|_| ()),
+            Self::Contour(study) => study.check(model),
+            Self::EquivalentStiffness(_) => model.foundation().map(|_| ()),
+            Self::SurfaceCompliance(_) => model.ground("surface_compliance").map(|_| ()),
+        }
+    }
+}
+
+/// Why a study has no answer.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum StudyError {
+    /// The moving response failed.
+    #[error(transparent)]
+    Interaction(#[from] InteractionError),
+    /// The foundation failed.
+    #[error(transparent)]
+    Foundation(#[from] FoundationError),
+    /// The ground failed.
+    #[error(transparent)]
+    Soil(#[from] SoilError),
+    /// The field failed.
+    #[error(transparent)]
+    Field(#[from] GroundFieldError),
+    /// The study needs layered ground.
+    #[error("the study {study} needs layered ground: give [soil] instead of [foundation]")]
+    NeedsGround {
+        /// Its name.
+        study: &'static str,
+    },
+    /// The study needs a train.
+    #[error("the study {study} needs a load: give [train] with at least one axle")]
+    NeedsTrain {
+        /// Its name.
+        study: &'static str,
+    },
+    /// Ground under a point load sinks without end.
+    #[error(
+        "the ground under a point load has no finite deflection: give track.load.kind = \"patch\" with half_length \
+         and half_width, or ask for a contour only"
+    )]
+    PointLoad,
+    /// The grid does not fit into memory.
+    #[error(
+        "the contour grid of {columns} × {rows} samples needs {needed_gb:.1} GB and the machine has {available_gb:.1} GB free: \
+         use a larger spacing, a smaller window or fewer quantities"
+    )]
+    Memory {
+        /// Samples along x.
+        columns: usize,
+        /// Samples along y.
+        rows: usize,
+        /// [GB]
+        needed_gb: f64,
+        /// [GB]
+        available_gb: f64,
+    },
+}
+
+/// "137.0 m/s (493 km/h)"
+fn speed_text(speed: f64) -> String {
+    format!("{speed:.1} m/s ({:.0} km/h)", 3.6 * speed)
+}

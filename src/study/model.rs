@@ -1,0 +1,151 @@
+//! The railway a case describes: ground or springs, track, train.
+
+use super::StudyError;
+use crate::foundation::{Foundation, LayeredSoil, Winkler};
+use crate::interaction::TrackOnFoundation;
+use crate::soil::{Compatibility, Profile, Solver, Strip};
+use crate::track::Stack;
+use crate::vehicle::Train;
+
+/// How the track, or the load without a track, touches the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Contact {
+    /// A track over a strip.
+    Strip(Strip),
+    /// No track: every axle presses on a rectangle of 2 × `half_length` along the track and the strip's width.
+    Patch {
+        /// [m]
+        half_length: f64,
+        /// Width and compatibility.
+        strip: Strip,
+    },
+    /// No track: every axle is a point load on the ground.
+    Point,
+}
+
+impl Contact {
+    /// The loaded strip; None for a point.
+    pub fn strip(&self) -> Option<Strip> {
+        match self {
+            Self::Strip(strip) | Self::Patch { strip, .. } => Some(*strip),
+            Self::Point => None,
+        }
+    }
+
+    /// Half-length of the load along the track [m].
+    pub fn half_length(&self) -> f64 {
+        match self {
+            Self::Patch { half_length, .. } => *half_length,
+            _ => 0.0,
+        }
+    }
+
+    /// Name of the compatibility: `centre`, `mean`.
+    pub fn compatibility(&self) -> &'static str {
+        match self.strip().map(|s| s.compatibility) {
+            Some(Compatibility::Centre) => "centre",
+            Some(Compatibility::Mean) => "mean",
+            None => "point",
+        }
+    }
+}
+
+/// What carries the track.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Support {
+    /// Layered ground with its solver.
+    Ground(Profile, Solver),
+    /// Springs.
+    Winkler(Winkler),
+}
+
+/// Ground, track and train, checked.
+#[derive(Debug)]
+pub struct Model {
+    support: Support,
+    contact: Contact,
+    stack: Stack,
+    train: Option<Train>,
+    foundation: Option<FoundationChoice>,
+}
+
+/// The built foundation; None for a point load.
+#[derive(Debug)]
+enum FoundationChoice {
+    Ground(LayeredSoil),
+    Winkler(Winkler),
+}
+
+/// Relative accuracy of single equivalent stiffnesses.
+const ACCURACY: f64 = 1e-8;
+
+impl Model {
+    /// A model from its parts.
+    ///
+    /// # Errors
+    /// A contact width that is not positive.
+    pub fn new(
+        support: Support,
+        contact: Contact,
+        stack: Stack,
+        train: Option<Train>,
+    ) -> Result<Self, StudyError> {
+        let foundation = match (&support, contact.strip()) {
+            (Support::Winkler(springs), _) => Some(FoundationChoice::Winkler(*springs)),
+            (Support::Ground(profile, solver), Some(strip)) => {
+                Some(FoundationChoice::Ground(LayeredSoil::new(profile.clone(), *solver, strip, ACCURACY)?))
+            }
+            (Support::Ground(..), None) => None,
+        };
+        Ok(Self { support, contact, stack, train, foundation })
+    }
+
+    /// What carries the track.
+    pub fn support(&self) -> &Support {
+        &self.support
+    }
+
+    /// How it touches the ground.
+    pub fn contact(&self) -> &Contact {
+        &self.contact
+    }
+
+    /// The foundation k(β, ω).
+    ///
+    /// # Errors
+    /// A point load has none.
+    pub fn foundation(&self) -> Result<&dyn Foundation, StudyError> {
+        match &self.foundation {
+            Some(FoundationChoice::Ground(soil)) => Ok(soil),
+            Some(FoundationChoice::Winkler(springs)) => Ok(springs),
+            None => Err(StudyError::PointLoad),
+        }
+    }
+
+    /// The track on its foundation.
+    ///
+    /// # Errors
+    /// A point load on the ground deflects without end.
+    pub fn track(&self) -> Result<TrackOnFoundation<'_>, StudyError> {
+        Ok(TrackOnFoundation::new(&self.stack, self.foundation()?, self.contact.half_length()))
+    }
+
+    /// The layered ground, wanted by `study`.
+    ///
+    /// # Errors
+    /// The model stands on springs.
+    pub fn ground(&self, study: &'static str) -> Result<(&Profile, Solver), StudyError> {
+        match &self.support {
+            Support::Ground(profile, solver) => Ok((profile, *solver)),
+            Support::Winkler(_) => Err(StudyError::NeedsGround { study }),
+        }
+    }
+
+    /// The train, wanted by `study`.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn train(&self, study: &'static str) -> Result<&Train, StudyError> {
+        self.train.as_ref().ok_or(StudyError::NeedsTrain { study })
+    }
+}

@@ -1,0 +1,35 @@
+//! The paper's tracks.
+
+use groundwave::soil::Compatibility;
+use groundwave::track::{Ballast, Ballasted, Link, Member, Slab, Stack};
+
+/// Application 2's ballasted track, C_b = 333 m/s.
+pub fn ballasted() -> Stack {
+    let rail = Member::beam(12.76e6, 120.46, 0.0).unwrap();
+    let pad = Link::spring(7e8, 3.84e4, 0.0).unwrap();
+    let ballast = Ballast::Bars {
+        young: 1.4e8,
+        height: 0.35,
+        alpha: 0.5,
+        wave_speed: 333.0,
+        half_width: 1.25,
+        loss_factor: 0.0,
+    };
+    Ballasted { rail, pad, sleeper_mass: 490.0, ballast }.stack().unwrap()
+}
+
+/// Application 2's slab track.
+pub fn slab() -> Stack {
+    let rail = Member::beam(12.76e6, 120.46, 0.0).unwrap();
+    let pad = Link::spring(7e8, 3.84e4, 0.0).unwrap();
+    let slab = Member::beam(9.77e7, 1250.0, 0.0).unwrap();
+    Slab { rail, pad, slab }.stack()
+}
+
+/// Stack and compatibility by the name in `critical_speed.json`.
+pub fn named(name: &str) -> (Stack, Compatibility) {
+    match name {
+        "paper_slab" => (slab(), Compatibility::Mean),
+        _ => (ballasted(), Compatibility::Centre),
+    }
+}
