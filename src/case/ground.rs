@@ -1,0 +1,117 @@
+//! `[soil]` and `[foundation]` → profile or springs, with every fault at its key.
+
+use super::error::Finding;
+use super::schema::{FoundationInput, FoundationKind, MaterialInput, SoilInput, SolverKind};
+use crate::foundation::Winkler;
+use crate::soil::{Base, Elastic, Layer, Material, Profile, SoilError, Solver};
+
+/// Elastic constants and damping of one material.
+fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
+    const PAIRS: &str = "give young and poisson, or shear_speed and pressure_speed, or shear_speed and poisson";
+    let elastic = match (input.young, input.poisson, input.shear_speed, input.pressure_speed) {
+        (Some(young), Some(poisson), None, None) => Elastic::YoungPoisson { young, poisson },
+        (None, None, Some(shear), Some(pressure)) => Elastic::Speeds { shear, pressure },
+        (None, Some(poisson), Some(shear), None) => Elastic::ShearPoisson { shear, poisson },
+        _ => {
+            let given: Vec<&str> = [
+                ("young", input.young),
+                ("poisson", input.poisson),
+                ("shear_speed", input.shear_speed),
+                ("pressure_speed", input.pressure_speed),
+            ]
+            .iter()
+            .filter(|(_, v)| v.is_some())
+            .map(|(name, _)| *name)
+            .collect();
+            let found = if given.is_empty() { "none".to_owned() } else { given.join(", ") };
+            return Err(Finding::new(path, format!("elastic constants: found {found}")).help(PAIRS));
+        }
+    };
+    let loss = |factor: Option<f64>, ratio: Option<f64>, names: [&str; 2]| match (factor, ratio) {
+        (Some(eta), None) => Ok(Some((eta, names[0].to_owned()))),
+        (None, Some(xi)) => Ok(Some((2.0 * xi, names[1].to_owned()))),
+        (None, None) => Ok(None),
+        (Some(_), Some(_)) => {
+            Err(Finding::new(format!("{path}.{}", names[1]), format!("{} and {} are both given", names[0], names[1]))
+                .help("give one of them; loss factor = 2 × damping ratio"))
+        }
+    };
+    let shear = loss(input.loss_factor, input.damping_ratio, ["loss_factor", "damping_ratio"])?;
+    let pressure = loss(
+        input.loss_factor_pressure,
+        input.damping_ratio_pressure,
+        ["loss_factor_pressure", "damping_ratio_pressure"],
+    )?;
+    let Some((eta_s, key_s)) = shear else {
+        return Err(Finding::new(path, "the damping is missing").help("give loss_factor, or damping_ratio (half of it)"));
+    };
+    let (eta_p, key_p) = pressure.unwrap_or((eta_s, key_s.clone()));
+    Material::new(elastic, input.density, eta_s, eta_p).map_err(|error| {
+        let key = match &error {
+            SoilError::NotPositive { quantity, .. } => match *quantity {
+                "density" => "density",
+                "Young's modulus" => "young",
+                "shear wave speed" => "shear_speed",
+                _ => "pressure_speed",
+            },
+            SoilError::PoissonRatio { .. } => "poisson",
+            SoilError::PressureSpeed { .. } => "pressure_speed",
+            SoilError::LossFactor { quantity: "loss factor", .. } => &key_s,
+            _ => &key_p,
+        };
+        Finding::new(format!("{path}.{key}"), error)
+    })
+}
+
+/// The profile of `[soil]`; `path` is where the table stands (`soil`, or empty in a library file).
+pub fn profile(input: &SoilInput, path: &str) -> Result<(Profile, Solver), Finding> {
+    let at = |rest: &str| if path.is_empty() { rest.to_owned() } else { format!("{path}.{rest}") };
+    let mut layers = Vec::new();
+    for (i, layer) in input.layer.iter().enumerate() {
+        let path = at(&format!("layer[{i}]"));
+        let Some(thickness) = layer.thickness else {
+            return Err(Finding::new(path, "missing key `thickness`").help("add `thickness = …` [m]"));
+        };
+        if !(thickness.is_finite() && thickness > 0.0) {
+            return Err(Finding::new(
+                format!("{path}.thickness"),
+                format!("layer thickness is {thickness} m: it must be finite and above zero"),
+            ));
+        }
+        layers.push(Layer { thickness, material: material(layer, &path)? });
+    }
+    let base = match (&input.half_space, &input.base) {
+        (Some(half_space), None) => {
+            let path = at("half_space");
+            if half_space.thickness.is_some() {
+                return Err(Finding::new(format!("{path}.thickness"), "a half-space has no thickness")
+                    .help("move it to a [[soil.layer]], or remove the key"));
+            }
+            Base::HalfSpace(material(half_space, &path)?)
+        }
+        (None, Some(_)) => Base::Rigid,
+        (None, None) => {
+            return Err(Finding::new(path, "the profile has no base")
+                .help("add [soil.half_space], or soil.base = \"rigid\""));
+        }
+        (Some(_), Some(_)) => {
+            return Err(Finding::new(at("base"), "the profile has two bases: a half-space and a rigid one")
+                .help("remove one of them"));
+        }
+    };
+    let solver = match input.solver.map(|s| s.kind) {
+        None | Some(SolverKind::DirectStiffness) => Solver::DirectStiffness,
+    };
+    let profile = Profile::new(layers, base).map_err(|error| Finding::new(path, error))?;
+    Ok((profile, solver))
+}
+
+/// The springs of `[foundation]`.
+pub fn springs(input: &FoundationInput) -> Result<Winkler, Finding> {
+    let FoundationKind::Winkler = input.kind;
+    Winkler::new(input.stiffness, input.damping, input.loss_factor).map_err(|error| {
+        let text = error.to_string();
+        let key = ["stiffness", "damping", "loss factor"].iter().find(|k| text.contains(*k)).unwrap_or(&"stiffness");
+        Finding::new(format!("foundation.{}", key.replace(' ', "_")), text)
+    })
+}

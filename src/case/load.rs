@@ -1,0 +1,199 @@
+//! A case file → model and studies, everything checked before anything is computed.
+
+use super::error::{CaseError, Finding, from_toml};
+use super::schema::{CaseInput, TrainInput};
+use super::values::Named;
+use super::{ground, library, studies, track};
+use crate::study::{Model, Study, Support};
+use crate::vehicle::{Axle, Train};
+use serde::de::DeserializeOwned;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// A case ready to run.
+#[derive(Debug)]
+pub struct Case {
+    /// Title.
+    pub title: String,
+    /// Where the numbers come from.
+    pub source: Option<String>,
+    /// The case file as it was read.
+    pub text: String,
+    /// Contents of every other file the case uses, by the name it uses: records and library entries.
+    pub files: BTreeMap<String, String>,
+    /// Sources of the library entries in use.
+    pub references: Vec<String>,
+    /// Ground, track, train.
+    pub model: Model,
+    /// What is asked.
+    pub studies: Vec<Study>,
+}
+
+/// Reads TOML into `T` with the key path of any fault.
+fn read<T: DeserializeOwned>(text: &str, name: &str) -> Result<T, CaseError> {
+    let syntax = |error: &toml::de::Error| from_toml(error, "", name, text);
+    let deserializer = toml::Deserializer::parse(text).map_err(|e| syntax(&e))?;
+    serde_path_to_error::deserialize(deserializer).map_err(|error| {
+        let path = error.path().to_string();
+        from_toml(error.inner(), &path, name, text)
+    })
+}
+
+/// A table in full, by library name, or from a TOML file beside the case: the table, the path prefix of its keys,
+/// and the file they stand in.
+struct Resolved<T> {
+    table: T,
+    prefix: String,
+    name: String,
+    text: String,
+}
+
+struct Loader<'a> {
+    name: &'a str,
+    text: &'a str,
+    /// Reads a file beside the case.
+    open: &'a dyn Fn(&str) -> Result<String, String>,
+    files: RefCell<BTreeMap<String, String>>,
+    references: RefCell<Vec<String>>,
+}
+
+impl Loader<'_> {
+    fn fault(&self, finding: Finding) -> CaseError {
+        finding.at(self.name, self.text)
+    }
+
+    fn file(&self, name: &str) -> Result<String, String> {
+        let text = (self.open)(name)?;
+        self.files.borrow_mut().insert(name.to_owned(), text.clone());
+        Ok(text)
+    }
+
+    fn resolve<T: DeserializeOwned + Clone>(&self, named: &Named<T>, key: &str, kind: &str) -> Result<Resolved<T>, CaseError> {
+        let wanted = match named {
+            Named::Table(table) => {
+                return Ok(Resolved { table: table.clone(), prefix: key.to_owned(), name: self.name.to_owned(), text: self.text.to_owned() });
+            }
+            Named::Name(wanted) => wanted,
+        };
+        let (name, text) = if wanted.ends_with(".toml") {
+            let text = self.file(wanted).map_err(|reason| {
+                self.fault(Finding::new(key, format!("cannot read \"{wanted}\": {reason}")).help("the path is relative to the case file"))
+            })?;
+            (wanted.clone(), text)
+        } else {
+            let entry = library::find(kind, wanted, key).map_err(|finding| self.fault(finding))?;
+            let name = format!("library/{kind}/{wanted}.toml");
+            self.files.borrow_mut().insert(name.clone(), entry.text.to_owned());
+            let title = entry.text_of("title").unwrap_or_default();
+            let source = entry.text_of("source").unwrap_or_default();
+            self.references.borrow_mut().push(format!("{wanted}: {title}. {source}"));
+            (name, entry.text.to_owned())
+        };
+        let table = read(&text, &name)?;
+        Ok(Resolved { table, prefix: String::new(), name, text })
+    }
+
+    fn train(&self, named: &Named<TrainInput>) -> Result<Train, CaseError> {
+        let resolved = self.resolve(named, "train", "vehicles")?;
+        let Resolved { table, prefix, name, text } = resolved;
+        let at = |rest: &str| if prefix.is_empty() { rest.to_owned() } else { format!("{prefix}.{rest}") };
+        let fault = |finding: Finding| finding.at(&name, &text);
+        let axles: Vec<Axle> = match (&table.axles, &table.vehicle) {
+            (Some(_), Some(_)) => return Err(fault(Finding::new(at("vehicle"), "axles and vehicle are both given").help("give one of them"))),
+            (Some(axles), None) => axles.iter().map(|a| Axle { position: a.position, load: a.load }).collect(),
+            (None, Some(vehicle)) => {
+                let inner = self.resolve(&Named::<TrainInput>::Name(vehicle.clone()), "train.vehicle", "vehicles")?;
+                let axles = inner.table.axles.unwrap_or_default();
+                let count = table.count.unwrap_or(1);
+                let length = match (count, inner.table.length) {
+                    (1, _) => 0.0,
+                    (_, Some(length)) => length,
+                    (_, None) => return Err(fault(Finding::new(at("count"), format!("\"{vehicle}\" is a whole train without a length to repeat it at")).help("use count = 1"))),
+                };
+                (0..count)
+                    .flat_map(|i| axles.iter().map(move |a| Axle { position: a.position + length * i as f64, load: a.load }))
+                    .collect()
+            }
+            (None, None) => return Err(fault(Finding::new(prefix.clone(), "the train has neither axles nor a vehicle").help("add axles = [{ position = 0.0, load = … }] or vehicle = \"…\""))),
+        };
+        Train::new(axles).map_err(|error| {
+            use crate::vehicle::VehicleError::{Load, NoLoad, Position};
+            let path = match &error {
+                NoLoad => at("axles"),
+                Load { index, .. } => at(&format!("axles[{}].load", index - 1)),
+                Position { index, .. } => at(&format!("axles[{}].position", index - 1)),
+            };
+            fault(Finding::new(path, error))
+        })
+    }
+}
+
+impl Case {
+    /// Reads and checks the case file at `path`, or the case stored in a `results.h5`.
+    ///
+    /// # Errors
+    /// Everything wrong with it, at its line and key.
+    pub fn load(path: &Path) -> Result<Self, CaseError> {
+        let unreadable = |reason: String| CaseError::Read {
+            path: path.to_owned(),
+            reason,
+            help: "give the path of a case file (TOML) or of a results.h5; `groundwave new` writes one to start from".into(),
+        };
+        if path.is_dir() {
+            return Err(unreadable("it is a folder".into()));
+        }
+        if path.extension().is_some_and(|e| e == "h5") {
+            let (text, files) = super::runner::stored_case(path).map_err(unreadable)?;
+            let open = |name: &str| files.get(name).cloned().ok_or_else(|| "not stored in the results".to_owned());
+            return Self::parse(&text, &path.display().to_string(), &open);
+        }
+        let text = std::fs::read_to_string(path).map_err(|e| unreadable(e.to_string()))?;
+        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        let open = move |name: &str| std::fs::read_to_string(folder.join(name)).map_err(|e| e.to_string());
+        Self::parse(&text, &path.display().to_string(), &open)
+    }
+
+    /// Checks the case `text`, called `name` in messages; `open` reads the files it names.
+    ///
+    /// # Errors
+    /// Everything wrong with it, at its line and key.
+    pub fn parse(text: &str, name: &str, open: &dyn Fn(&str) -> Result<String, String>) -> Result<Self, CaseError> {
+        let input: CaseInput = read(text, name)?;
+        let loader = Loader { name, text, open, files: RefCell::default(), references: RefCell::default() };
+        let support = match (&input.soil, &input.foundation) {
+            (Some(soil), None) => {
+                let soil = loader.resolve(soil, "soil", "soils")?;
+                let (profile, solver) =
+                    ground::profile(&soil.table, &soil.prefix).map_err(|f| f.at(&soil.name, &soil.text))?;
+                Support::Ground(profile, solver)
+            }
+            (None, Some(springs)) => Support::Winkler(ground::springs(springs).map_err(|f| loader.fault(f))?),
+            (None, None) => {
+                return Err(loader.fault(Finding::new("", "the case has no ground").help("add [soil], or [foundation] for springs")));
+            }
+            (Some(_), Some(_)) => {
+                return Err(loader.fault(Finding::new("foundation", "soil and foundation are both given").help("remove one of them")));
+            }
+        };
+        let on_ground = matches!(support, Support::Ground(..));
+        let resolved = loader.resolve(&input.track, "track", "tracks")?;
+        let (stack, contact) = track::track(&resolved.table, &resolved.prefix, on_ground)
+            .map_err(|f| f.at(&resolved.name, &resolved.text))?;
+        let train = input.train.as_ref().map(|train| loader.train(train)).transpose()?;
+        let model = Model::new(support, contact, stack, train).map_err(|e| loader.fault(Finding::new("track", e)))?;
+        let studies = studies::studies(&input, &|name| loader.file(name)).map_err(|f| loader.fault(f))?;
+        for study in &studies {
+            study.check(&model).map_err(|e| loader.fault(Finding::new(study.name(), e)))?;
+        }
+        Ok(Self {
+            title: input.title,
+            source: input.source,
+            text: text.to_owned(),
+            files: loader.files.into_inner(),
+            references: loader.references.into_inner(),
+            model,
+            studies,
+        })
+    }
+}

@@ -1,0 +1,19 @@
+//! What a case file may say, its checks, the library of named parameter sets, and the runner.
+
+pub mod error;
+mod ground;
+pub mod library;
+mod load;
+mod report;
+mod runner;
+pub mod schema;
+mod studies;
+mod track;
+pub mod values;
+
+pub use error::CaseError;
+pub use load::Case;
+pub use runner::{RunError, RunOptions, Summary, check_output, run};
+
+/// A commented case file to start from: what `groundwave new` writes.
+pub const TEMPLATE: &str = include_str!("template.toml");

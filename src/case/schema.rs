@@ -1,0 +1,411 @@
+//! The vocabulary of a case file, as it is read: every key, its unit, nothing checked yet.
+
+use super::values::{Named, Range, Speed};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// A case file.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CaseInput {
+    /// Title of the case.
+    pub title: String,
+    /// Where the numbers come from.
+    pub source: Option<String>,
+    /// Layered ground, or the name of a library soil.
+    pub soil: Option<Named<SoilInput>>,
+    /// Springs instead of ground.
+    pub foundation: Option<FoundationInput>,
+    /// The track, or the name of a library track.
+    pub track: Named<TrackInput>,
+    /// The train, or the name of a library vehicle.
+    pub train: Option<Named<TrainInput>>,
+    /// Largest rail deflections against speed.
+    pub critical_speed: Option<CriticalSpeedInput>,
+    /// Rail and ground shapes at given speeds.
+    pub track_response: Option<TrackResponseInput>,
+    /// Maps of the ground's surface.
+    pub contour: Option<ContourInput>,
+    /// Table of k_eq(β, ω).
+    pub equivalent_stiffness: Option<EquivalentStiffnessInput>,
+    /// Table of G(k, ω).
+    pub surface_compliance: Option<SurfaceComplianceInput>,
+}
+
+/// `[soil]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SoilInput {
+    /// Library files only: title.
+    pub title: Option<String>,
+    /// Library files only: source.
+    pub source: Option<String>,
+    /// Which solver answers.
+    pub solver: Option<SolverInput>,
+    /// Layers, top first.
+    #[serde(default)]
+    pub layer: Vec<MaterialInput>,
+    /// The half-space below them.
+    pub half_space: Option<MaterialInput>,
+    /// "rigid" instead of a half-space.
+    pub base: Option<BaseInput>,
+}
+
+/// `soil.base`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BaseInput {
+    /// Rigid rock.
+    Rigid,
+}
+
+/// `soil.solver`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SolverInput {
+    /// Name of the solver.
+    pub kind: SolverKind,
+}
+
+/// `soil.solver.kind`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SolverKind {
+    /// Exact layer stiffness matrices.
+    DirectStiffness,
+}
+
+/// `[[soil.layer]]` with a thickness, or `[soil.half_space]` without.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MaterialInput {
+    /// h [m] (layers only)
+    pub thickness: Option<f64>,
+    /// E [Pa]
+    pub young: Option<f64>,
+    /// ν
+    pub poisson: Option<f64>,
+    /// c_s [m/s]
+    pub shear_speed: Option<f64>,
+    /// c_p [m/s]
+    pub pressure_speed: Option<f64>,
+    /// ρ [kg/m³]
+    pub density: f64,
+    /// η of shear waves, and of pressure waves unless given on its own.
+    pub loss_factor: Option<f64>,
+    /// ξ = η/2
+    pub damping_ratio: Option<f64>,
+    /// η of pressure waves, acting on λ + 2μ.
+    pub loss_factor_pressure: Option<f64>,
+    /// ξ = η/2 of pressure waves.
+    pub damping_ratio_pressure: Option<f64>,
+}
+
+/// `[foundation]`: springs per metre of track.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FoundationInput {
+    /// Which springs.
+    pub kind: FoundationKind,
+    /// k [N/m²]
+    pub stiffness: f64,
+    /// c [N s/m²]
+    #[serde(default)]
+    pub damping: f64,
+    /// η
+    #[serde(default)]
+    pub loss_factor: f64,
+}
+
+/// `foundation.kind`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FoundationKind {
+    /// Independent springs.
+    Winkler,
+}
+
+/// `[track]`, whole track: both rails.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TrackInput {
+    /// Library files only: title.
+    pub title: Option<String>,
+    /// Library files only: source.
+    pub source: Option<String>,
+    /// Which track.
+    pub kind: TrackKind,
+    /// Both rails (ballasted, slab).
+    pub rail: Option<BeamInput>,
+    /// Pads of both rails (ballasted, slab).
+    pub pad: Option<SpringInput>,
+    /// Sleepers (ballasted).
+    pub sleeper: Option<SleeperInput>,
+    /// Ballast (ballasted).
+    pub ballast: Option<BallastInput>,
+    /// The slab (slab).
+    pub slab: Option<BeamInput>,
+    /// The one beam (beam): rails, track and embankment together.
+    pub beam: Option<BeamInput>,
+    /// Contact with the ground (all but none; not on springs).
+    pub contact: Option<ContactInput>,
+    /// How each axle presses on the ground (none).
+    pub load: Option<LoadInput>,
+}
+
+/// `track.kind`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub enum TrackKind {
+    /// Rails, pads, sleepers, ballast.
+    Ballasted,
+    /// Rails, pads, slab.
+    Slab,
+    /// One beam.
+    Beam,
+    /// Axles straight on the ground.
+    None,
+}
+
+/// A beam along the track.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BeamInput {
+    /// EI [N m²]
+    pub bending_stiffness: f64,
+    /// [kg/m]
+    pub mass: f64,
+    /// η of EI
+    #[serde(default)]
+    pub loss_factor: f64,
+}
+
+/// `track.pad`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SpringInput {
+    /// k [N/m²]
+    pub stiffness: f64,
+    /// c [N s/m²]
+    #[serde(default)]
+    pub damping: f64,
+    /// η
+    #[serde(default)]
+    pub loss_factor: f64,
+}
+
+/// `track.sleeper`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SleeperInput {
+    /// [kg/m]
+    pub mass: f64,
+}
+
+/// `track.ballast`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BallastInput {
+    /// Which model.
+    pub kind: BallastKind,
+    /// E_b [Pa] (bars)
+    pub young: Option<f64>,
+    /// h [m] (bars)
+    pub height: Option<f64>,
+    /// α (bars)
+    pub alpha: Option<f64>,
+    /// C_b [m/s] (bars), or density with poisson.
+    pub wave_speed: Option<f64>,
+    /// ρ_b [kg/m³] (bars): C_b = √(E_b/ρ_b), or from the constrained modulus with poisson.
+    pub density: Option<f64>,
+    /// ν_b (bars)
+    pub poisson: Option<f64>,
+    /// k_b [N/m²] (consistent-mass)
+    pub stiffness: Option<f64>,
+    /// m_b [kg/m] (consistent-mass)
+    pub mass: Option<f64>,
+    /// c_b [N s/m²] (consistent-mass)
+    pub damping: Option<f64>,
+    /// η
+    #[serde(default)]
+    pub loss_factor: f64,
+}
+
+/// `track.ballast.kind`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub enum BallastKind {
+    /// Alves Costa: bars with wave motion.
+    Bars,
+    /// Sheng: springs with consistent mass.
+    ConsistentMass,
+}
+
+/// `track.contact`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ContactInput {
+    /// b [m]: half of the contact width.
+    pub half_width: f64,
+    /// Which ground displacement the track follows.
+    pub compatibility: CompatibilityInput,
+}
+
+/// `track.contact.compatibility`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CompatibilityInput {
+    /// Under the centre line.
+    Centre,
+    /// Mean over the strip.
+    Mean,
+}
+
+/// `track.load`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LoadInput {
+    /// Point or rectangle.
+    pub kind: LoadKind,
+    /// Half the length along the track [m] (patch).
+    pub half_length: Option<f64>,
+    /// Half the width across it [m] (patch).
+    pub half_width: Option<f64>,
+    /// Which displacement is reported (patch).
+    pub compatibility: Option<CompatibilityInput>,
+}
+
+/// `track.load.kind`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub enum LoadKind {
+    /// A point.
+    Point,
+    /// A rectangle.
+    Patch,
+}
+
+/// `[train]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TrainInput {
+    /// Library files only: title.
+    pub title: Option<String>,
+    /// Library files only: source.
+    pub source: Option<String>,
+    /// Axles.
+    pub axles: Option<Vec<AxleInput>>,
+    /// A library vehicle instead of axles.
+    pub vehicle: Option<String>,
+    /// How many of them in a row.
+    pub count: Option<usize>,
+    /// Library files only: length over couplers [m], the distance at which the next vehicle repeats the axles.
+    pub length: Option<f64>,
+}
+
+/// One axle.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AxleInput {
+    /// Distance behind the leading axle [m].
+    pub position: f64,
+    /// Load of the whole axle [N].
+    pub load: f64,
+}
+
+/// `[critical_speed]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CriticalSpeedInput {
+    /// v, ascending.
+    pub speeds: Range<Speed>,
+}
+
+/// `[track_response]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TrackResponseInput {
+    /// v
+    pub speeds: Range<Speed>,
+    /// x′ [m]; by default 40 m behind the train to 20 m ahead of it.
+    pub x: Option<SpanInput>,
+    /// Spacing [m], 0.1 by default.
+    pub spacing: Option<f64>,
+    /// Records to draw beside the computed shapes.
+    #[serde(default)]
+    pub measured: Vec<MeasuredInput>,
+}
+
+/// `[[track_response.measured]]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeasuredInput {
+    /// Speed the record belongs to.
+    pub speed: Speed,
+    /// CSV file beside the case: a header line, then x′ [m] (positive ahead) and deflection [m] (positive down).
+    pub file: String,
+    /// Legend entry.
+    pub label: String,
+}
+
+/// From one position to another.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SpanInput {
+    /// [m]
+    pub from: f64,
+    /// [m]
+    pub to: f64,
+}
+
+/// `[contour]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ContourInput {
+    /// v
+    pub speeds: Range<Speed>,
+    /// x′ [m], positive ahead of the leading axle.
+    pub x: SpanInput,
+    /// y [m], from the centre line of the track.
+    pub y: SpanInput,
+    /// [m]
+    pub spacing: f64,
+    /// What to map; vertical displacement by default.
+    pub quantities: Option<Vec<QuantityInput>>,
+    /// Distance to the periodic images [m]; by default from damping and wavelength.
+    pub clearance: Option<f64>,
+}
+
+/// `contour.quantities`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub enum QuantityInput {
+    /// u_z
+    Vertical,
+    /// v_z
+    VerticalVelocity,
+    /// u_x
+    Along,
+    /// u_y
+    Across,
+}
+
+/// `[equivalent_stiffness]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EquivalentStiffnessInput {
+    /// β [rad/m]
+    pub beta: Range<f64>,
+    /// f [Hz]
+    pub frequencies: Range<f64>,
+}
+
+/// `[surface_compliance]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SurfaceComplianceInput {
+    /// k [rad/m]
+    pub k: Range<f64>,
+    /// f [Hz]
+    pub frequencies: Range<f64>,
+}

@@ -1,0 +1,187 @@
+//! Study tables → studies, with every fault at its key.
+
+use super::error::Finding;
+use super::schema::{CaseInput, ContourInput, MeasuredInput, QuantityInput, SpanInput, TrackResponseInput};
+use super::values::{Range, Speed};
+use crate::interaction::{Quantity, Window};
+use crate::study::{
+    Contour, CriticalSpeed, EquivalentStiffness, Record, Study, SurfaceComplianceTable, TrackResponse,
+};
+
+/// Most values a range may have.
+const MOST: usize = 100_000;
+
+/// The numbers of a range, each accepted by `accept`.
+fn numbers(
+    range: &Range<f64>,
+    path: &str,
+    unit: &str,
+    accept: (fn(f64) -> bool, &str),
+) -> Result<Vec<f64>, Finding> {
+    let values = match *range {
+        Range::List(ref list) => list.clone(),
+        Range::Steps { from, to, step } => {
+            if !(from.is_finite() && to.is_finite() && step.is_finite()) {
+                return Err(Finding::new(path, format!("range from {from} to {to} step {step}: all must be finite")));
+            }
+            if step <= 0.0 {
+                return Err(Finding::new(format!("{path}.step"), format!("step is {step} {unit}: it must be above zero")));
+            }
+            if to < from {
+                return Err(Finding::new(path, format!("the range is reversed: from {from} to {to} {unit}")).help("swap from and to"));
+            }
+            let count = ((to - from) / step + 1e-9).floor();
+            if count >= MOST as f64 {
+                return Err(Finding::new(path, format!("the range has {count:.0} values, more than {MOST}")).help("use a larger step"));
+            }
+            (0..=count as usize).map(|i| from + step * i as f64).collect()
+        }
+    };
+    if values.is_empty() {
+        return Err(Finding::new(path, "the list is empty").help("give at least one value"));
+    }
+    for (i, value) in values.iter().enumerate() {
+        if !(value.is_finite() && accept.0(*value)) {
+            let path = if matches!(range, Range::List(_)) { format!("{path}[{i}]") } else { path.to_owned() };
+            return Err(Finding::new(path, format!("found {value} {unit}: it must be finite and {}", accept.1)));
+        }
+    }
+    Ok(values)
+}
+
+const POSITIVE: (fn(f64) -> bool, &str) = (|v| v > 0.0, "above zero");
+const NOT_NEGATIVE: (fn(f64) -> bool, &str) = (|v| v >= 0.0, "not negative");
+
+fn plain(range: &Range<Speed>) -> Range<f64> {
+    match range {
+        Range::List(list) => Range::List(list.iter().map(|s| s.0).collect()),
+        Range::Steps { from, to, step } => Range::Steps { from: from.0, to: to.0, step: step.0 },
+    }
+}
+
+fn speeds(range: &Range<Speed>, path: &str) -> Result<Vec<f64>, Finding> {
+    numbers(&plain(range), path, "m/s", NOT_NEGATIVE)
+}
+
+fn ascending(values: &[f64], path: &str) -> Result<(), Finding> {
+    match values.windows(2).position(|pair| pair[1] <= pair[0]) {
+        Some(i) => Err(Finding::new(format!("{path}[{}]", i + 1), format!("{} follows {}: the values must ascend", values[i + 1], values[i])).help("sort the list, each value once")),
+        None => Ok(()),
+    }
+}
+
+fn span(input: SpanInput, path: &str) -> Result<(f64, f64), Finding> {
+    if !(input.from.is_finite() && input.to.is_finite()) {
+        return Err(Finding::new(path, format!("from {} to {} m: both must be finite", input.from, input.to)));
+    }
+    if input.to <= input.from {
+        return Err(Finding::new(path, format!("from {} to {} m: `to` must lie above `from`", input.from, input.to)));
+    }
+    Ok((input.from, input.to))
+}
+
+fn positive(value: f64, path: &str, unit: &str) -> Result<f64, Finding> {
+    if value.is_finite() && value > 0.0 {
+        Ok(value)
+    } else {
+        Err(Finding::new(path, format!("found {value} {unit}: it must be finite and above zero")))
+    }
+}
+
+/// A record's CSV: a header line, then x′ [m] and deflection [m]; lines starting with # are comments.
+fn record(input: &MeasuredInput, path: &str, files: &dyn Fn(&str) -> Result<String, String>) -> Result<Record, Finding> {
+    let at = format!("{path}.file");
+    let text = files(&input.file).map_err(|reason| Finding::new(&at, format!("cannot read \"{}\": {reason}", input.file)).help("the path is relative to the case file"))?;
+    let mut record = Record { speed: input.speed.0, label: input.label.clone(), x: Vec::new(), deflection: Vec::new() };
+    let lines = text.lines().enumerate().filter(|(_, l)| !l.trim().is_empty() && !l.starts_with('#'));
+    for (number, line) in lines.skip(1) {
+        let cells: Vec<f64> = line.split(',').filter_map(|c| c.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
+        let [x, deflection] = cells[..] else {
+            return Err(Finding::new(&at, format!("{}, line {}: found `{line}`, wanted two numbers: x′ [m], deflection [m]", input.file, number + 1)));
+        };
+        record.x.push(x);
+        record.deflection.push(deflection);
+    }
+    if record.x.is_empty() {
+        return Err(Finding::new(&at, format!("{} has no numbers", input.file)).help("a header line, then x′ [m], deflection [m]"));
+    }
+    Ok(record)
+}
+
+fn track_response(input: &TrackResponseInput, files: &dyn Fn(&str) -> Result<String, String>) -> Result<TrackResponse, Finding> {
+    let x = input.x.map(|x| span(x, "track_response.x")).transpose()?;
+    let records = input
+        .measured
+        .iter()
+        .enumerate()
+        .map(|(i, m)| record(m, &format!("track_response.measured[{i}]"), files))
+        .collect::<Result<_, _>>()?;
+    Ok(TrackResponse {
+        speeds: speeds(&input.speeds, "track_response.speeds")?,
+        x,
+        spacing: positive(input.spacing.unwrap_or(0.1), "track_response.spacing", "m")?,
+        records,
+    })
+}
+
+fn contour(input: &ContourInput) -> Result<Contour, Finding> {
+    let quantities = match &input.quantities {
+        None => vec![Quantity::Vertical],
+        Some(list) if list.is_empty() => {
+            return Err(Finding::new("contour.quantities", "the list is empty").help("allowed: vertical, vertical-velocity, along, across"));
+        }
+        Some(list) => list
+            .iter()
+            .map(|q| match q {
+                QuantityInput::Vertical => Quantity::Vertical,
+                QuantityInput::VerticalVelocity => Quantity::VerticalVelocity,
+                QuantityInput::Along => Quantity::Along,
+                QuantityInput::Across => Quantity::Across,
+            })
+            .collect(),
+    };
+    Ok(Contour {
+        speeds: speeds(&input.speeds, "contour.speeds")?,
+        window: Window {
+            x: span(input.x, "contour.x")?,
+            y: span(input.y, "contour.y")?,
+            spacing: positive(input.spacing, "contour.spacing", "m")?,
+        },
+        quantities,
+        clearance: input.clearance.map(|c| positive(c, "contour.clearance", "m")).transpose()?,
+    })
+}
+
+/// The studies a case asks for, in the order of this list.
+pub fn studies(input: &CaseInput, files: &dyn Fn(&str) -> Result<String, String>) -> Result<Vec<Study>, Finding> {
+    let mut studies = Vec::new();
+    if let Some(study) = &input.critical_speed {
+        let values = speeds(&study.speeds, "critical_speed.speeds")?;
+        ascending(&values, "critical_speed.speeds")?;
+        studies.push(Study::CriticalSpeed(CriticalSpeed { speeds: values }));
+    }
+    if let Some(study) = &input.track_response {
+        studies.push(Study::TrackResponse(track_response(study, files)?));
+    }
+    if let Some(study) = &input.contour {
+        studies.push(Study::Contour(contour(study)?));
+    }
+    if let Some(study) = &input.equivalent_stiffness {
+        studies.push(Study::EquivalentStiffness(EquivalentStiffness {
+            beta: numbers(&study.beta, "equivalent_stiffness.beta", "rad/m", POSITIVE)?,
+            frequencies: numbers(&study.frequencies, "equivalent_stiffness.frequencies", "Hz", NOT_NEGATIVE)?,
+        }));
+    }
+    if let Some(study) = &input.surface_compliance {
+        studies.push(Study::SurfaceCompliance(SurfaceComplianceTable {
+            k: numbers(&study.k, "surface_compliance.k", "rad/m", POSITIVE)?,
+            frequencies: numbers(&study.frequencies, "surface_compliance.frequencies", "Hz", NOT_NEGATIVE)?,
+        }));
+    }
+    if studies.is_empty() {
+        return Err(Finding::new("", "the case asks for nothing").help(
+            "add at least one of [critical_speed], [track_response], [contour], [equivalent_stiffness], [surface_compliance]",
+        ));
+    }
+    Ok(studies)
+}

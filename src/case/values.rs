@@ -1,0 +1,189 @@
+//! What may stand for a number at the door: speeds with units, ranges, names of library entries.
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use std::borrow::Cow;
+use std::fmt;
+use std::marker::PhantomData;
+
+/// A speed [m/s]: a number, or text such as "250 km/h".
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Speed(pub f64);
+
+/// "250 km/h", "70 m/s" → m/s.
+fn parse_speed(text: &str) -> Result<f64, String> {
+    let text = text.trim();
+    let split = text.find(|c: char| c.is_alphabetic()).unwrap_or(text.len());
+    // the exponent of 1e2 is a letter too
+    let split = match text[..split].trim().parse::<f64>() {
+        Ok(_) => split,
+        Err(_) => text.rfind(' ').unwrap_or(split),
+    };
+    let (number, unit) = (text[..split].trim(), text[split..].trim());
+    let factor = match unit {
+        "km/h" => 1.0 / 3.6,
+        "m/s" => 1.0,
+        other => return Err(format!("unknown unit of speed `{other}`, allowed: m/s, km/h (as in \"250 km/h\")")),
+    };
+    let value: f64 = number.parse().map_err(|_| format!("`{number}` is not a number (write \"250 km/h\")"))?;
+    Ok(value * factor)
+}
+
+impl<'de> Deserialize<'de> for Speed {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Door;
+        impl Visitor<'_> for Door {
+            type Value = Speed;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a speed in m/s, or text such as \"250 km/h\"")
+            }
+            fn visit_f64<E: Error>(self, value: f64) -> Result<Speed, E> {
+                Ok(Speed(value))
+            }
+            fn visit_i64<E: Error>(self, value: i64) -> Result<Speed, E> {
+                Ok(Speed(value as f64))
+            }
+            fn visit_u64<E: Error>(self, value: u64) -> Result<Speed, E> {
+                Ok(Speed(value as f64))
+            }
+            fn visit_str<E: Error>(self, text: &str) -> Result<Speed, E> {
+                parse_speed(text).map(Speed).map_err(E::custom)
+            }
+        }
+        deserializer.deserialize_any(Door)
+    }
+}
+
+impl JsonSchema for Speed {
+    fn schema_name() -> Cow<'static, str> {
+        "Speed".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "a speed [m/s], or text such as \"250 km/h\"",
+            "anyOf": [{ "type": "number" }, { "type": "string", "pattern": "^[-+0-9.eE ]+(km/h|m/s)$" }]
+        })
+    }
+}
+
+/// Several values: a list, or { from, to, step }.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Range<T> {
+    /// As listed.
+    List(Vec<T>),
+    /// from, from + step, … up to `to`.
+    Steps {
+        /// First value.
+        from: T,
+        /// Last value.
+        to: T,
+        /// Spacing.
+        step: T,
+    },
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StepsInput<T> {
+    from: T,
+    to: T,
+    step: T,
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Range<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Door<T>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Door<T> {
+            type Value = Range<T>;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a list [a, b, …] or a range { from = …, to = …, step = … }")
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Range<T>, A::Error> {
+                let mut values = Vec::new();
+                while let Some(value) = seq.next_element()? {
+                    values.push(value);
+                }
+                Ok(Range::List(values))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Range<T>, A::Error> {
+                let StepsInput { from, to, step } = StepsInput::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(Range::Steps { from, to, step })
+            }
+        }
+        deserializer.deserialize_any(Door(PhantomData))
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Range<T> {
+    fn schema_name() -> Cow<'static, str> {
+        format!("Range_of_{}", T::schema_name()).into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let value = generator.subschema_for::<T>();
+        json_schema!({
+            "anyOf": [
+                { "type": "array", "items": value, "minItems": 1 },
+                {
+                    "type": "object",
+                    "properties": { "from": value, "to": value, "step": value },
+                    "required": ["from", "to", "step"],
+                    "additionalProperties": false
+                }
+            ]
+        })
+    }
+}
+
+/// A table, or the name of a library entry (or of a TOML file beside the case) that stands for it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Named<T> {
+    /// By name.
+    Name(String),
+    /// In full.
+    Table(T),
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Named<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Door<T>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Door<T> {
+            type Value = Named<T>;
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("a table, or the name of a library entry")
+            }
+            fn visit_str<E: Error>(self, name: &str) -> Result<Named<T>, E> {
+                Ok(Named::Name(name.to_owned()))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Named<T>, A::Error> {
+                T::deserialize(MapAccessDeserializer::new(map)).map(Named::Table)
+            }
+        }
+        deserializer.deserialize_any(Door(PhantomData))
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Named<T> {
+    fn schema_name() -> Cow<'static, str> {
+        format!("Named_{}", T::schema_name()).into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let table = generator.subschema_for::<T>();
+        json_schema!({ "anyOf": [{ "type": "string", "description": "name of a library entry" }, table] })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn speeds_with_units() {
+        assert!((parse_speed("250 km/h").unwrap() - 69.444_444_444).abs() < 1e-6);
+        assert!((parse_speed("36km/h").unwrap() - 10.0).abs() < 1e-12);
+        assert_eq!(parse_speed("1e2 m/s").unwrap(), 100.0);
+        assert!(parse_speed("250 mph").unwrap_err().contains("mph"));
+        assert!(parse_speed("fast").is_err());
+        assert!(parse_speed("250").is_err());
+    }
+}
