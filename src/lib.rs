@@ -2,3 +2,4 @@
 pub mod concern;
 pub mod dataset;
 pub mod figure;
+pub mod output;

@@ -1,0 +1,260 @@
+//! Fields over a rectangle.
+
+use super::OutputError;
+use super::axis::Scale;
+use super::canvas::{Anchor, Area, Canvas, Pen, TITLE, label_room, text_width};
+use super::colours::{INK, MISSING, Rgb, diverging, sequential};
+use crate::figure::MapFigure;
+
+/// Page width [px].
+const WIDTH: f64 = 900.0;
+/// Largest frame around the field [px].
+const LARGEST: (f64, f64) = (700.0, 700.0);
+/// Frame height of a map whose axes are not equal [px].
+const HEIGHT: f64 = 440.0;
+/// Width of the colour bar, and its distance from the frame [px].
+const BAR: (f64, f64) = (18.0, 22.0);
+/// Largest side of the embedded image [pixels]: 300 kB or so, whatever the field.
+const IMAGE: f64 = 480.0;
+
+/// Draws the figure. The field is an embedded image, interpolated linearly between its values; what is not a number is
+/// grey.
+pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
+    let refuse = |reason: String, remedy: &str| OutputError::Figure {
+        figure: figure.name.clone(),
+        reason,
+        remedy: remedy.to_owned(),
+    };
+    let (nx, ny) = (figure.x.len(), figure.y.len());
+    if figure.values.dim() != (ny, nx) || nx < 2 || ny < 2 {
+        let reason = format!(
+            "{:?} values over {ny} × {nx} points (y, x)",
+            figure.values.dim()
+        );
+        return Err(refuse(
+            reason,
+            "one value per point, and two points each way at least",
+        ));
+    }
+    let Some(range) = range(figure) else {
+        return Err(refuse(
+            "no value is finite".to_owned(),
+            "a finite value at least",
+        ));
+    };
+    let (x_span, y_span) = (outer(&figure.x), outer(&figure.y));
+    let lengths = (x_span.1 - x_span.0, y_span.1 - y_span.0);
+    let y_ticks = Scale::new(y_span, false, (1.0, 0.0)).ticks(7);
+    let bar_ticks = Scale::new(range, false, (1.0, 0.0)).ticks(7);
+    let left = (label_room(&y_ticks) + 46.0).round();
+    let right = BAR.0 + BAR.1 + label_room(&bar_ticks) + 52.0;
+    let room = LARGEST.0.min(WIDTH - left - right);
+    let (width, height) = if figure.equal_axes {
+        let per_metre = (room / lengths.0).min(LARGEST.1 / lengths.1);
+        (per_metre * lengths.0, per_metre * lengths.1)
+    } else {
+        (room, HEIGHT)
+    };
+    // A narrow map is centred on the page, with its colour bar.
+    let start = (left + 0.5 * (WIDTH - left - right - width)).round();
+    let frame = Area {
+        left: start,
+        top: 52.0,
+        right: start + width.round(),
+        bottom: 52.0 + height.round(),
+    };
+    let x = Scale::new(x_span, false, (frame.left, frame.right));
+    let y = Scale::new(y_span, false, (frame.bottom, frame.top));
+    let colour = |value: f64| {
+        if !value.is_finite() {
+            MISSING
+        } else if figure.symmetric {
+            diverging(value / range.1)
+        } else {
+            sequential((value - range.0) / (range.1 - range.0))
+        }
+    };
+
+    let mut canvas = Canvas::new(WIDTH, frame.bottom + 62.0);
+    let shrink = (IMAGE / width.max(height)).min(1.0);
+    let size = [width, height].map(|side| ((side * shrink).round() as usize).max(2));
+    canvas.image(frame, size[0], pixels(figure, size, colour));
+    canvas.rectangle(frame, None, Some(Pen::solid(INK, 1.2)));
+    let x_count = ((frame.width() / 90.0) as usize).clamp(3, 8);
+    canvas.x_axis(frame, x, &x.ticks(x_count), &figure.x_label, false);
+    let y_count = ((frame.height() / 60.0) as usize).clamp(3, 8);
+    canvas.y_axis(frame, y, &y.ticks(y_count), &figure.y_label, false);
+    colour_bar(&mut canvas, frame, range, &figure.value_label, colour);
+    // Centred over the map unless it is wider, then over the page.
+    let middle = if text_width(&figure.title, TITLE) < frame.width() {
+        0.5 * (frame.left + frame.right)
+    } else {
+        0.5 * WIDTH
+    };
+    canvas.text((middle, 30.0), &figure.title, TITLE, Anchor::Middle);
+    Ok(canvas)
+}
+
+fn colour_bar(
+    canvas: &mut Canvas,
+    frame: Area,
+    range: (f64, f64),
+    label: &str,
+    colour: impl Fn(f64) -> Rgb,
+) {
+    let left = frame.right + BAR.1;
+    let bar = Area {
+        left,
+        right: left + BAR.0,
+        ..frame
+    };
+    let scale = Scale::new(range, false, (bar.bottom, bar.top));
+    let steps = 128;
+    let height = bar.height() / f64::from(steps);
+    for i in 0..steps {
+        let part = (f64::from(i) + 0.5) / f64::from(steps);
+        let value = range.0 + part * (range.1 - range.0);
+        let bottom = bar.bottom - height * f64::from(i);
+        // Each step runs on under the next: viewers show a seam between rectangles that merely touch.
+        let top = if i + 1 == steps {
+            bar.top
+        } else {
+            bottom - 1.7 * height
+        };
+        let area = Area { top, bottom, ..bar };
+        canvas.rectangle(area, Some(colour(value)), None);
+    }
+    canvas.rectangle(bar, None, Some(Pen::solid(INK, 1.2)));
+    let count = ((frame.height() / 60.0) as usize).clamp(3, 8);
+    canvas.y_axis(bar, scale, &scale.ticks(count), label, true);
+}
+
+/// The edges of the outermost cells.
+fn outer(points: &[f64]) -> (f64, f64) {
+    let last = points.len() - 1;
+    let half = 0.5 * (points[last] - points[0]) / last as f64;
+    (points[0] - half, points[last] + half)
+}
+
+/// The values at both ends of the colours: symmetric about zero if the figure is; never an empty range.
+fn range(figure: &MapFigure) -> Option<(f64, f64)> {
+    let finite = figure.values.iter().copied().filter(|v| v.is_finite());
+    let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| {
+        (lo.min(v), hi.max(v))
+    });
+    if lo > hi {
+        return None;
+    }
+    let size = lo.abs().max(hi.abs());
+    let unit = if size > 0.0 { size } else { 1.0 };
+    Some(if figure.symmetric {
+        (-unit, unit)
+    } else if hi - lo > 1e-12 * unit {
+        (lo, hi)
+    } else {
+        (lo - 0.5 * unit, hi + 0.5 * unit)
+    })
+}
+
+/// The image: at every pixel's centre the value interpolated linearly in x and y, the top row being the largest y.
+fn pixels(
+    figure: &MapFigure,
+    [columns, rows]: [usize; 2],
+    colour: impl Fn(f64) -> Rgb,
+) -> Vec<Rgb> {
+    let (ny, nx) = figure.values.dim();
+    // Cells reach half a spacing beyond the outer points, where the field is held constant.
+    let places = |count: usize, n: usize| -> Vec<(usize, f64)> {
+        (0..count)
+            .map(|i| {
+                let place = (i as f64 + 0.5) / count as f64 * n as f64 - 0.5;
+                let place = place.clamp(0.0, (n - 1) as f64);
+                let below = (place as usize).min(n - 2);
+                (below, place - below as f64)
+            })
+            .collect()
+    };
+    let across = places(columns, nx);
+    let mut image = Vec::with_capacity(columns * rows);
+    for &(j, v) in places(rows, ny).iter().rev() {
+        for &(i, u) in &across {
+            let row = |j: usize| (1.0 - u) * figure.values[[j, i]] + u * figure.values[[j, i + 1]];
+            image.push(colour((1.0 - v) * row(j) + v * row(j + 1)));
+        }
+    }
+    image
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::Figure;
+    use crate::output::plot::{png, svg};
+    use ndarray::Array2;
+
+    fn figure(nx: usize, ny: usize, symmetric: bool) -> MapFigure {
+        let axis = |n: usize, span: f64| -> Vec<f64> {
+            (0..n)
+                .map(|i| span * (i as f64 / (n - 1) as f64 - 0.5))
+                .collect()
+        };
+        let (x, y) = (axis(nx, 60.0), axis(ny, 40.0));
+        let values = Array2::from_shape_fn((ny, nx), |(j, i)| {
+            (0.9 * x[i].hypot(y[j])).cos() * (-0.05 * x[i].hypot(y[j])).exp()
+        });
+        MapFigure {
+            name: "contour_137".into(),
+            title: "Vertical displacement".into(),
+            x_label: "x [m]".into(),
+            y_label: "y [m]".into(),
+            value_label: "displacement [mm]".into(),
+            x,
+            y,
+            values,
+            symmetric,
+            equal_axes: true,
+        }
+    }
+
+    #[test]
+    fn a_large_field_stays_a_light_svg() {
+        let svg = svg(&Figure::Map(figure(1100, 1024, true))).unwrap();
+        assert!(svg.len() < 1_000_000, "{} bytes", svg.len());
+        for text in [
+            "data:image/png;base64,iVBOR",
+            "x [m]",
+            "y [m]",
+            "displacement [mm]",
+            "Vertical",
+        ] {
+            assert!(svg.contains(text), "{text} is missing");
+        }
+    }
+
+    #[test]
+    fn the_png_has_twice_the_size_of_the_page() {
+        let png = png(&Figure::Map(figure(61, 41, false))).unwrap();
+        let width = u32::from_be_bytes(png[16..20].try_into().unwrap());
+        assert_eq!(width, 1800);
+    }
+
+    #[test]
+    fn colours_are_symmetric_about_zero_where_the_sign_matters() {
+        let mut map = figure(21, 21, true);
+        map.values.fill(0.0);
+        map.values[[3, 4]] = -2.0;
+        assert_eq!(range(&map), Some((-2.0, 2.0)));
+        map.symmetric = false;
+        assert_eq!(range(&map), Some((-2.0, 0.0)));
+        map.values.fill(f64::NAN);
+        assert!(svg(&Figure::Map(map)).is_err());
+    }
+
+    #[test]
+    fn the_image_has_large_y_on_top() {
+        let mut map = figure(3, 3, false);
+        map.values = Array2::from_shape_fn((3, 3), |(j, _)| j as f64);
+        let rows = pixels(&map, [3, 3], |v| [v as u8; 3]);
+        assert_eq!([rows[0][0], rows[4][0], rows[8][0]], [2, 1, 0]);
+    }
+}
