@@ -5,19 +5,16 @@
 
 use super::axis::{Scale, Ticks, superscript};
 use super::colours::{FAINT, INK, Rgb};
-use kuva::backend::raster::RasterBackend;
+use super::raster::{self, Image};
 use kuva::backend::svg::SvgBackend;
 use kuva::render::color::Color;
 pub(super) use kuva::render::render::TextAnchor as Anchor;
 use kuva::render::render::{Primitive, Scene};
-use std::fmt::Write as _;
 
 /// Font sizes [px on a page of 900 px].
 pub(super) const TITLE: u32 = 19;
 pub(super) const LABEL: u32 = 16;
 pub(super) const TICK: u32 = 14;
-/// Pixels of a PNG per unit of the page.
-pub(super) const SHARPNESS: f32 = 2.0;
 /// Stands for the image within the SVG text until the image is put there.
 const IMAGE_MARK: &str = r#"class="field""#;
 
@@ -70,13 +67,6 @@ impl Pen {
             dash: None,
         }
     }
-}
-
-/// Equal rectangles of colour filling an area, top row first.
-struct Image {
-    area: Area,
-    columns: usize,
-    pixels: Vec<Rgb>,
 }
 
 /// A page being drawn.
@@ -161,75 +151,68 @@ impl Canvas {
         });
     }
 
-    /// The one image of the page, beneath what is drawn later: `pixels` by rows of `columns`, top row first.
-    pub fn image(&mut self, area: Area, columns: usize, pixels: Vec<Rgb>) {
+    /// The one image of the page, beneath what is drawn later.
+    pub fn image(&mut self, image: Image) {
         self.scene.add(Primitive::GroupStart {
             transform: None,
             title: None,
             extra_attrs: Some(IMAGE_MARK.to_owned()),
         });
         self.scene.add(Primitive::GroupEnd);
-        self.image = Some(Image {
-            area,
-            columns,
-            pixels,
-        });
+        self.image = Some(image);
     }
 
-    /// Ticks inward, labels and axis label below (`above` = false) or above the frame.
+    /// Ticks outward, tick labels and the axis label, below (`above` = false) or above the frame.
     pub fn x_axis(&mut self, frame: Area, scale: Scale, ticks: &Ticks, label: &str, above: bool) {
-        let (edge, inward) = if above {
-            (frame.top, 1.0)
+        let (edge, outward) = if above {
+            (frame.top, -1.0)
         } else {
-            (frame.bottom, -1.0)
+            (frame.bottom, 1.0)
         };
         let pen = Pen::solid(INK, 1.2);
         for &value in &ticks.minor {
             let x = scale.at(value);
-            self.line((x, edge), (x, edge + 4.0 * inward), pen);
+            self.line((x, edge), (x, edge + 3.5 * outward), pen);
         }
         for tick in &ticks.major {
             let x = scale.at(tick.value);
-            self.line((x, edge), (x, edge + 7.0 * inward), pen);
-            let y = if above { edge - 8.0 } else { edge + 20.0 };
+            self.line((x, edge), (x, edge + 6.0 * outward), pen);
+            let y = if above { edge - 11.0 } else { edge + 22.0 };
             self.text((x, y), &tick.label, TICK, Anchor::Middle);
         }
-        let y = if above { edge - 32.0 } else { edge + 46.0 };
+        let y = if above { edge - 34.0 } else { edge + 48.0 };
         let middle = 0.5 * (frame.left + frame.right);
-        let label = format!("{label}{}", factor(ticks.exponent));
+        let label = with_power(label, ticks.exponent);
         self.text((middle, y), &label, LABEL, Anchor::Middle);
     }
 
-    /// Ticks inward, labels and axis label left of the frame (`right` = false) or right of it.
+    /// Ticks outward, tick labels and the axis label, left of the frame (`right` = false) or right of it.
     pub fn y_axis(&mut self, frame: Area, scale: Scale, ticks: &Ticks, label: &str, right: bool) {
-        let (edge, inward) = if right {
-            (frame.right, -1.0)
+        let (edge, outward) = if right {
+            (frame.right, 1.0)
         } else {
-            (frame.left, 1.0)
+            (frame.left, -1.0)
         };
         let pen = Pen::solid(INK, 1.2);
         for &value in &ticks.minor {
             let y = scale.at(value);
-            self.line((edge, y), (edge + 4.0 * inward, y), pen);
+            self.line((edge, y), (edge + 3.5 * outward, y), pen);
         }
         for tick in &ticks.major {
             let y = scale.at(tick.value);
-            self.line((edge, y), (edge + 7.0 * inward, y), pen);
+            self.line((edge, y), (edge + 6.0 * outward, y), pen);
             let anchor = if right { Anchor::Start } else { Anchor::End };
-            self.text((edge - 8.0 * inward, y + 5.0), &tick.label, TICK, anchor);
+            self.text((edge + 10.0 * outward, y + 5.0), &tick.label, TICK, anchor);
         }
-        let away = 8.0 + label_room(ticks) + 14.0;
+        // The label reads upward: its baseline is on its right, so it needs more room on the right of a frame.
+        let away = 24.0 + label_room(ticks);
         let x = if right {
             edge + away + 11.0
         } else {
             edge - away
         };
         let middle = 0.5 * (frame.top + frame.bottom);
-        self.upright_text(
-            (x, middle),
-            &format!("{label}{}", factor(ticks.exponent)),
-            LABEL,
-        );
+        self.upright_text((x, middle), &with_power(label, ticks.exponent), LABEL);
     }
 
     pub fn grid(&mut self, frame: Area, x: (Scale, &Ticks), y: (Scale, &Ticks)) {
@@ -261,138 +244,25 @@ impl Canvas {
         }
     }
 
+    /// The picture as the bytes of a PNG, two pixels per unit of the page.
     pub fn png(&self) -> Result<Vec<u8>, String> {
-        let mut scene = Scene::new(self.scene.width, self.scene.height);
-        for element in &self.scene.elements {
-            match (element, &self.image) {
-                (Primitive::GroupStart { .. }, Some(image)) => scene.add(image.cells()),
-                (Primitive::GroupStart { .. } | Primitive::GroupEnd, _) => {}
-                // The rasteriser starts its dashes anew at every point, so that a smooth curve is drawn solid.
-                (
-                    Primitive::PolyLine {
-                        points,
-                        stroke,
-                        stroke_width,
-                        stroke_dasharray: Some(dash),
-                    },
-                    _,
-                ) => {
-                    let mut lengths = dash.split(' ').filter_map(|part| part.parse().ok());
-                    let (on, off) = (lengths.next().unwrap_or(6.0), lengths.next().unwrap_or(4.0));
-                    for points in dashes(points, on, off) {
-                        scene.add(Primitive::PolyLine {
-                            points,
-                            stroke: stroke.clone(),
-                            stroke_width: *stroke_width,
-                            stroke_dasharray: None,
-                        });
-                    }
-                }
-                _ => scene.add(element.clone()),
-            }
-        }
-        RasterBackend::new()
-            .with_scale(SHARPNESS)
-            .render_scene(&scene)
+        raster::png(&self.scene, self.image.as_ref())
     }
 }
 
-impl Image {
-    fn rows(&self) -> usize {
-        self.pixels.len() / self.columns
+/// An axis label whose tick labels leave out a power of ten: `u [m]` becomes `u [10⁻³ m]`.
+fn with_power(label: &str, exponent: i32) -> String {
+    if exponent == 0 {
+        return label.to_owned();
     }
-
-    /// The pixels as rectangles of the page.
-    fn cells(&self) -> Primitive {
-        let (w, h) = (
-            self.area.width() / self.columns as f64,
-            self.area.height() / self.rows() as f64,
-        );
-        let place = |i: usize| (i % self.columns, i / self.columns);
-        let count = self.pixels.len();
-        Primitive::RectBatch {
-            x: (0..count)
-                .map(|i| self.area.left + w * place(i).0 as f64)
-                .collect(),
-            y: (0..count)
-                .map(|i| self.area.top + h * place(i).1 as f64)
-                .collect(),
-            w: vec![w; count],
-            h: vec![h; count],
-            fills: self.pixels.iter().copied().map(colour).collect(),
-        }
-    }
-
-    /// An `image` element with the pixels as an embedded PNG.
-    fn svg(&self) -> String {
-        let (columns, rows) = (self.columns as f64, self.rows() as f64);
-        let mut scene = Scene::new(columns, rows);
-        let area = Area {
-            left: 0.0,
-            top: 0.0,
-            right: columns,
-            bottom: rows,
-        };
-        let own_size = Self {
-            area,
-            columns: self.columns,
-            pixels: self.pixels.clone(),
-        };
-        scene.add(own_size.cells());
-        // Fails only for an image without pixels, which then shows as nothing.
-        let png = RasterBackend::new()
-            .with_scale(1.0)
-            .render_scene(&scene)
-            .unwrap_or_default();
-        format!(
-            r#"<image x="{}" y="{}" width="{}" height="{}" preserveAspectRatio="none" href="data:image/png;base64,{}"/>"#,
-            self.area.left,
-            self.area.top,
-            self.area.width(),
-            self.area.height(),
-            base64(&png)
-        )
-    }
-}
-
-/// The pieces of a polyline that a pen of dashes `on` and gaps `off` [px] leaves on the page.
-fn dashes(points: &[Point], on: f64, off: f64) -> Vec<Vec<Point>> {
-    let mut pieces = Vec::new();
-    let mut piece: Vec<Point> = points.first().copied().into_iter().collect();
-    let (mut drawing, mut left) = (true, on);
-    for pair in points.windows(2) {
-        let (a, b) = (pair[0], pair[1]);
-        let length = (b.0 - a.0).hypot(b.1 - a.1);
-        let mut done = 0.0;
-        while length - done > left {
-            done += left;
-            let part = done / length;
-            let cut = (a.0 + part * (b.0 - a.0), a.1 + part * (b.1 - a.1));
-            if drawing {
-                piece.push(cut);
-                pieces.push(std::mem::take(&mut piece));
-            } else {
-                piece = vec![cut];
-            }
-            drawing = !drawing;
-            left = if drawing { on } else { off };
-        }
-        left -= length - done;
-        if drawing {
-            piece.push(b);
-        }
-    }
-    if drawing && piece.len() > 1 {
-        pieces.push(piece);
-    }
-    pieces
-}
-
-/// ` (×10ⁿ)` after an axis label whose tick labels leave the power out; nothing for n = 0.
-fn factor(exponent: i32) -> String {
-    match exponent {
-        0 => String::new(),
-        n => format!("  (×10{})", superscript(n)),
+    let unit = label
+        .strip_suffix(']')
+        .and_then(|head| head.rsplit_once('['));
+    match unit {
+        Some((name, "-" | "1" | "–")) => format!("{name}[10{}]", superscript(exponent)),
+        Some((name, unit)) => format!("{name}[10{} {unit}]", superscript(exponent)),
+        // Without a unit the label itself takes the inverse power, as labels × 10ⁿ = values.
+        None => format!("{label} × 10{}", superscript(-exponent)),
     }
 }
 
@@ -423,43 +293,15 @@ fn hex([r, g, b]: Rgb) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// Base 64 (RFC 4648) of `bytes`.
-fn base64(bytes: &[u8]) -> String {
-    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for group in bytes.chunks(3) {
-        let all = group
-            .iter()
-            .fold(0u32, |sum, &byte| (sum << 8) | u32::from(byte));
-        let all = all << (8 * (3 - group.len()));
-        for place in 0..4 {
-            if place <= group.len() {
-                text.push(char::from(LETTERS[(all >> (18 - 6 * place)) as usize & 63]));
-            } else {
-                let _ = text.write_char('=');
-            }
-        }
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn base64_agrees_with_rfc_4648() {
-        assert_eq!(base64(b""), "");
-        assert_eq!(base64(b"f"), "Zg==");
-        assert_eq!(base64(b"fo"), "Zm8=");
-        assert_eq!(base64(b"foobar"), "Zm9vYmFy");
-    }
-
-    #[test]
-    fn dashes_run_on_across_points() {
-        let fine: Vec<Point> = (0..=20).map(|i| (f64::from(i), 0.0)).collect();
-        let pieces = dashes(&fine, 6.0, 4.0);
-        let ends: Vec<_> = pieces.iter().map(|p| (p[0].0, p[p.len() - 1].0)).collect();
-        assert_eq!(ends, [(0.0, 6.0), (10.0, 16.0)]);
+    fn the_power_of_ten_joins_the_unit() {
+        assert_eq!(with_power("u [m/N]", -9), "u [10⁻⁹ m/N]");
+        assert_eq!(with_power("u [-]", 6), "u [10⁶]");
+        assert_eq!(with_power("u", 6), "u × 10⁻⁶");
+        assert_eq!(with_power("u [mm]", 0), "u [mm]");
     }
 }

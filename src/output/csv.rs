@@ -85,7 +85,7 @@ fn share_dimensions<'a>(small: &[&'a Variable], fields: &[&Variable]) -> Vec<Vec
     let elsewhere = |table: &[&Variable]| {
         let dimension = &table[0].name;
         let data = small.iter().chain(fields);
-        data.filter(|v| !v.is_coordinate())
+        data.filter(|v| !v.is_coordinate() && !v.values.is_empty())
             .any(|v| v.dims.contains(dimension))
     };
     tables.retain(|t| !(alone(t) && elsewhere(t)));

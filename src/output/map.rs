@@ -4,6 +4,7 @@ use super::OutputError;
 use super::axis::Scale;
 use super::canvas::{Anchor, Area, Canvas, Pen, TITLE, label_room, text_width};
 use super::colours::{INK, MISSING, Rgb, diverging, sequential};
+use super::raster::Image;
 use crate::figure::MapFigure;
 
 /// Page width [px].
@@ -14,8 +15,8 @@ const LARGEST: (f64, f64) = (700.0, 700.0);
 const HEIGHT: f64 = 440.0;
 /// Width of the colour bar, and its distance from the frame [px].
 const BAR: (f64, f64) = (18.0, 22.0);
-/// Largest side of the embedded image [pixels]: 300 kB or so, whatever the field.
-const IMAGE: f64 = 480.0;
+/// Steps of the colours; one more place of the palette is for what is not a number. Indexed images are small.
+const STEPS: u8 = 255;
 
 /// Draws the figure. The field is an embedded image, interpolated linearly between its values; what is not a number is
 /// grey.
@@ -44,10 +45,10 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
     };
     let (x_span, y_span) = (outer(&figure.x), outer(&figure.y));
     let lengths = (x_span.1 - x_span.0, y_span.1 - y_span.0);
-    let y_ticks = Scale::new(y_span, false, (1.0, 0.0)).ticks(7);
-    let bar_ticks = Scale::new(range, false, (1.0, 0.0)).ticks(7);
+    let y_ticks = Scale::new(y_span, false, (1.0, 0.0)).ticks(8);
+    let bar_ticks = Scale::new(range, false, (1.0, 0.0)).ticks(8);
     let left = (label_room(&y_ticks) + 46.0).round();
-    let right = BAR.0 + BAR.1 + label_room(&bar_ticks) + 52.0;
+    let right = BAR.0 + BAR.1 + label_room(&bar_ticks) + 48.0;
     let room = LARGEST.0.min(WIDTH - left - right);
     let (width, height) = if figure.equal_axes {
         let per_metre = (room / lengths.0).min(LARGEST.1 / lengths.1);
@@ -65,26 +66,46 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
     };
     let x = Scale::new(x_span, false, (frame.left, frame.right));
     let y = Scale::new(y_span, false, (frame.bottom, frame.top));
-    let colour = |value: f64| {
-        if !value.is_finite() {
-            MISSING
-        } else if figure.symmetric {
-            diverging(value / range.1)
+    let mut palette: Vec<Rgb> = (0..STEPS)
+        .map(|step| f64::from(step) / f64::from(STEPS - 1))
+        .map(|t| {
+            if figure.symmetric {
+                diverging(2.0 * t - 1.0)
+            } else {
+                sequential(t)
+            }
+        })
+        .collect();
+    palette.push(MISSING);
+    // Values become steps: ⌊(v − lo)/(hi − lo) · STEPS⌋.
+    let place = |value: f64| {
+        let part = (value - range.0) / (range.1 - range.0);
+        if part.is_nan() {
+            STEPS
         } else {
-            sequential((value - range.0) / (range.1 - range.0))
+            ((part * f64::from(STEPS)) as u8).min(STEPS - 1)
         }
     };
 
     let mut canvas = Canvas::new(WIDTH, frame.bottom + 62.0);
-    let shrink = (IMAGE / width.max(height)).min(1.0);
-    let size = [width, height].map(|side| ((side * shrink).round() as usize).max(2));
-    canvas.image(frame, size[0], pixels(figure, size, colour));
+    let size = [frame.width() as usize, frame.height() as usize];
+    canvas.image(Image {
+        area: frame,
+        palette: palette.clone(),
+        pixels: pixels(figure, size, place),
+    });
     canvas.rectangle(frame, None, Some(Pen::solid(INK, 1.2)));
     let x_count = ((frame.width() / 90.0) as usize).clamp(3, 8);
     canvas.x_axis(frame, x, &x.ticks(x_count), &figure.x_label, false);
-    let y_count = ((frame.height() / 60.0) as usize).clamp(3, 8);
+    let y_count = ((frame.height() / 45.0) as usize).clamp(3, 8);
     canvas.y_axis(frame, y, &y.ticks(y_count), &figure.y_label, false);
-    colour_bar(&mut canvas, frame, range, &figure.value_label, colour);
+    colour_bar(
+        &mut canvas,
+        frame,
+        range,
+        &figure.value_label,
+        &palette[..usize::from(STEPS)],
+    );
     // Centred over the map unless it is wider, then over the page.
     let middle = if text_width(&figure.title, TITLE) < frame.width() {
         0.5 * (frame.left + frame.right)
@@ -95,13 +116,7 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
     Ok(canvas)
 }
 
-fn colour_bar(
-    canvas: &mut Canvas,
-    frame: Area,
-    range: (f64, f64),
-    label: &str,
-    colour: impl Fn(f64) -> Rgb,
-) {
+fn colour_bar(canvas: &mut Canvas, frame: Area, range: (f64, f64), label: &str, colours: &[Rgb]) {
     let left = frame.right + BAR.1;
     let bar = Area {
         left,
@@ -109,23 +124,16 @@ fn colour_bar(
         ..frame
     };
     let scale = Scale::new(range, false, (bar.bottom, bar.top));
-    let steps = 128;
-    let height = bar.height() / f64::from(steps);
-    for i in 0..steps {
-        let part = (f64::from(i) + 0.5) / f64::from(steps);
-        let value = range.0 + part * (range.1 - range.0);
-        let bottom = bar.bottom - height * f64::from(i);
+    let height = bar.height() / colours.len() as f64;
+    for (step, &colour) in colours.iter().enumerate() {
+        let bottom = bar.bottom - height * step as f64;
         // Each step runs on under the next: viewers show a seam between rectangles that merely touch.
-        let top = if i + 1 == steps {
-            bar.top
-        } else {
-            bottom - 1.7 * height
-        };
+        let top = (bottom - 1.7 * height).max(bar.top);
         let area = Area { top, bottom, ..bar };
-        canvas.rectangle(area, Some(colour(value)), None);
+        canvas.rectangle(area, Some(colour), None);
     }
     canvas.rectangle(bar, None, Some(Pen::solid(INK, 1.2)));
-    let count = ((frame.height() / 60.0) as usize).clamp(3, 8);
+    let count = ((frame.height() / 45.0) as usize).clamp(3, 8);
     canvas.y_axis(bar, scale, &scale.ticks(count), label, true);
 }
 
@@ -149,6 +157,9 @@ fn range(figure: &MapFigure) -> Option<(f64, f64)> {
     let unit = if size > 0.0 { size } else { 1.0 };
     Some(if figure.symmetric {
         (-unit, unit)
+    } else if lo >= 0.0 && lo < 0.1 * hi {
+        // A modulus: its colours begin at zero.
+        (0.0, hi)
     } else if hi - lo > 1e-12 * unit {
         (lo, hi)
     } else {
@@ -157,11 +168,7 @@ fn range(figure: &MapFigure) -> Option<(f64, f64)> {
 }
 
 /// The image: at every pixel's centre the value interpolated linearly in x and y, the top row being the largest y.
-fn pixels(
-    figure: &MapFigure,
-    [columns, rows]: [usize; 2],
-    colour: impl Fn(f64) -> Rgb,
-) -> Vec<Rgb> {
+fn pixels(figure: &MapFigure, [columns, rows]: [usize; 2], place: impl Fn(f64) -> u8) -> Vec<u8> {
     let (ny, nx) = figure.values.dim();
     // Cells reach half a spacing beyond the outer points, where the field is held constant.
     let places = |count: usize, n: usize| -> Vec<(usize, f64)> {
@@ -179,7 +186,7 @@ fn pixels(
     for &(j, v) in places(rows, ny).iter().rev() {
         for &(i, u) in &across {
             let row = |j: usize| (1.0 - u) * figure.values[[j, i]] + u * figure.values[[j, i + 1]];
-            image.push(colour((1.0 - v) * row(j) + v * row(j + 1)));
+            image.push(place((1.0 - v) * row(j) + v * row(j + 1)));
         }
     }
     image
@@ -254,7 +261,7 @@ mod tests {
     fn the_image_has_large_y_on_top() {
         let mut map = figure(3, 3, false);
         map.values = Array2::from_shape_fn((3, 3), |(j, _)| j as f64);
-        let rows = pixels(&map, [3, 3], |v| [v as u8; 3]);
-        assert_eq!([rows[0][0], rows[4][0], rows[8][0]], [2, 1, 0]);
+        let rows = pixels(&map, [3, 3], |v| v as u8);
+        assert_eq!([rows[0], rows[4], rows[8]], [2, 1, 0]);
     }
 }

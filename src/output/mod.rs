@@ -13,6 +13,7 @@ pub mod json;
 mod lines;
 mod map;
 pub mod plot;
+mod raster;
 pub mod report;
 mod whole;
 
