@@ -12,7 +12,7 @@ pub(super) use kuva::render::render::TextAnchor as Anchor;
 use kuva::render::render::{Primitive, Scene};
 
 /// Font sizes [px on a page of 900 px].
-pub(super) const TITLE: u32 = 19;
+const TITLE: u32 = 19;
 pub(super) const LABEL: u32 = 16;
 pub(super) const TICK: u32 = 14;
 /// Stands for the image within the SVG text until the image is put there.
@@ -124,6 +124,19 @@ impl Canvas {
     /// Text on the baseline through the point.
     pub fn text(&mut self, at: Point, text: &str, size: u32, anchor: Anchor) {
         self.put_text(at, text, size, anchor, None);
+    }
+
+    /// The title, centred over the frame, or on the page if it is wider; smaller if it is wider than the page.
+    pub fn title(&mut self, frame: Area, text: &str) {
+        let (page, width) = (self.scene.width, text_width(text, TITLE));
+        let fit = ((page - 20.0) / width).min(1.0);
+        let size = ((f64::from(TITLE) * fit) as u32).max(TICK);
+        let middle = if width < frame.width() {
+            0.5 * (frame.left + frame.right)
+        } else {
+            0.5 * page
+        };
+        self.text((middle, 30.0), text, size, Anchor::Middle);
     }
 
     /// Text reading upward.

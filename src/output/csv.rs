@@ -335,6 +335,24 @@ mod tests {
     }
 
     #[test]
+    fn a_coordinate_whose_fields_are_empty_is_not_lost() {
+        let dir = tempfile::tempdir().unwrap();
+        let group = Group::new("dispersion")
+            .coordinate("frequency", &[3.0], "Hz", "Frequency")
+            .coordinate("mode", &[], "1", "No mode found")
+            .variable(
+                "c",
+                &["frequency", "mode"],
+                Array2::zeros((1, 0)).into_dyn(),
+                "m s-1",
+                "c",
+            );
+        let paths = write(&group, dir.path()).unwrap();
+        assert_eq!(names(&paths)[0], "dispersion_frequency.csv");
+        assert_eq!(rows(&paths[0]), [["frequency [Hz]"], ["3"]]);
+    }
+
+    #[test]
     fn a_large_field_is_a_matrix() {
         let dir = tempfile::tempdir().unwrap();
         let (ny, nx) = (401, 500);

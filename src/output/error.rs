@@ -28,7 +28,7 @@ pub enum OutputError {
         /// Group, dataset or attribute.
         object: String,
         /// The reason given.
-        source: hdf5::Hdf5Error,
+        source: Box<hdf5::Hdf5Error>,
     },
     /// A variable lies along a dimension that its group lacks, or has with another length.
     #[error(

@@ -34,10 +34,10 @@ pub fn write(dataset: &Dataset, path: &Path) -> Result<(), OutputError> {
     whole(path, |aside| {
         let failed = |object: &str| {
             let object = object.to_owned();
-            move |source| OutputError::Hdf5 {
+            move |source: Hdf5Error| OutputError::Hdf5 {
                 path: path.to_owned(),
                 object,
-                source,
+                source: Box::new(source),
             }
         };
         let file = H5File::create(aside).map_err(failed("the file"))?;

@@ -1,10 +1,11 @@
 //! Curves over one abscissa.
 
 use super::OutputError;
-use super::axis::{Scale, step};
-use super::canvas::{Anchor, Area, Canvas, Pen, Point, TICK, TITLE, label_room, text_width};
+use super::axis::Scale;
+use super::canvas::{Anchor, Area, Canvas, Pen, Point, TICK, label_room, text_width};
 use super::colours::{GREY, INK, Rgb, curve};
-use crate::figure::{LineFigure, Series, Stroke};
+use super::curves::{marks, ranges, runs, thin_out};
+use crate::figure::{LineFigure, Stroke};
 
 /// Page width [px].
 const WIDTH: f64 = 900.0;
@@ -93,20 +94,13 @@ impl Plan {
         let (x_ticks, y_ticks) = (self.x.ticks(8), self.y.ticks(7));
         canvas.grid(frame, (self.x, &x_ticks), (self.y, &y_ticks));
         let white = Some([255; 3]);
-        for ((value, label), area) in figure.marks.iter().zip(&spots.marks) {
-            let x = self.x.at(*value);
+        for (value, _) in marks(figure) {
+            let x = self.x.at(value);
             let pen = Pen {
                 dash: Some((2.5, 3.5)),
                 ..Pen::solid(GREY, 1.6)
             };
             canvas.line((x, frame.top), (x, frame.bottom), pen);
-            canvas.rectangle(*area, white, None);
-            canvas.text(
-                (area.left + 4.0, area.bottom - 5.0),
-                label,
-                TICK,
-                Anchor::Start,
-            );
         }
         for (index, series) in figure.series.iter().enumerate() {
             let colour = curve(index, figure.series.len());
@@ -115,6 +109,11 @@ impl Plan {
                 stroke(&mut canvas, thin_out(points), series.stroke, colour);
             }
         }
+        for ((_, label), area) in marks(figure).zip(&spots.marks) {
+            canvas.rectangle(*area, white, None);
+            let start = (area.left + 4.0, area.bottom - 5.0);
+            canvas.text(start, label, TICK, Anchor::Start);
+        }
         canvas.rectangle(frame, None, Some(Pen::solid(INK, 1.2)));
         canvas.x_axis(frame, self.x, &x_ticks, &figure.x_label, false);
         canvas.y_axis(frame, self.y, &y_ticks, &figure.y_label, false);
@@ -122,8 +121,7 @@ impl Plan {
             let scale = self.x.times(second.factor);
             canvas.x_axis(frame, scale, &scale.ticks(8), &second.label, true);
         }
-        let middle = 0.5 * (frame.left + frame.right);
-        canvas.text((middle, 30.0), &figure.title, TITLE, Anchor::Middle);
+        canvas.title(frame, &figure.title);
         if has_legend(figure) {
             canvas.rectangle(spots.legend, white, None);
             for (index, series) in figure.series.iter().enumerate() {
@@ -159,21 +157,17 @@ impl Plan {
             }
         }
         let frame = self.frame;
-        let mut busy: Vec<Area> = figure
-            .marks
-            .iter()
-            .map(|(value, _)| {
-                let x = self.x.at(*value);
-                Area {
-                    left: x - 3.0,
-                    right: x + 3.0,
-                    ..frame
-                }
+        let mut busy: Vec<Area> = marks(figure)
+            .map(|(value, _)| self.x.at(value))
+            .map(|x| Area {
+                left: x - 3.0,
+                right: x + 3.0,
+                ..frame
             })
             .collect();
-        let mut marks = Vec::new();
-        for (value, label) in &figure.marks {
-            let x = self.x.at(*value);
+        let mut labels = Vec::new();
+        for (value, label) in marks(figure) {
+            let x = self.x.at(value);
             let (width, height) = (text_width(label, TICK) + 8.0, 20.0);
             let candidates = (0..(frame.height() / height) as usize - 1).flat_map(|row| {
                 let top = frame.top + 10.0 + height * row as f64;
@@ -188,7 +182,7 @@ impl Plan {
                 candidates.filter(|a| a.left > frame.left + 2.0 && a.right < frame.right - 2.0);
             let (area, _) = freest(inside, &taken, &busy).unwrap_or((frame, 0));
             busy.push(area);
-            marks.push(area);
+            labels.push(area);
         }
         let names = figure.series.iter().map(|s| text_width(&s.name, TICK));
         let width = names.fold(0.0, f64::max) + SAMPLE + 27.0;
@@ -212,7 +206,7 @@ impl Plan {
         Spots {
             legend,
             crowded: has_legend(figure) && hits > 0,
-            marks,
+            marks: labels,
         }
     }
 
@@ -256,6 +250,8 @@ fn has_legend(figure: &LineFigure) -> bool {
 fn stroke(canvas: &mut Canvas, points: Vec<Point>, stroke: Stroke, colour: Rgb) {
     let pen = Pen::solid(colour, 2.2);
     match stroke {
+        // A point alone between gaps makes no line.
+        _ if points.len() == 1 => canvas.circle(points[0], 4.2, colour),
         Stroke::Solid => canvas.polyline(points, pen),
         Stroke::Dashed => {
             let dash = Some((9.0, 5.0));
@@ -269,89 +265,10 @@ fn stroke(canvas: &mut Canvas, points: Vec<Point>, stroke: Stroke, colour: Rgb) 
     }
 }
 
-/// The unbroken stretches of a series that can be shown.
-fn runs(series: &Series, figure: &LineFigure) -> Vec<Vec<Point>> {
-    let shown = |v: f64, log: bool| v.is_finite() && (!log || v > 0.0);
-    let mut runs = vec![Vec::new()];
-    for (&x, &y) in series.x.iter().zip(&series.y) {
-        if shown(x, figure.log_x) && shown(y, figure.log_y) {
-            runs.last_mut().into_iter().for_each(|run| run.push((x, y)));
-        } else {
-            runs.push(Vec::new());
-        }
-    }
-    runs.retain(|run| !run.is_empty());
-    runs
-}
-
-/// Leaves out points within a third of a pixel of the last one kept: they cannot be seen, and make an SVG heavy.
-fn thin_out(points: Vec<Point>) -> Vec<Point> {
-    let last = points.len().saturating_sub(1);
-    let mut kept: Vec<Point> = Vec::new();
-    for (index, point) in points.into_iter().enumerate() {
-        let far = kept
-            .last()
-            .is_none_or(|k: &Point| (k.0 - point.0).hypot(k.1 - point.1) > 0.33);
-        if far || index == last {
-            kept.push(point);
-        }
-    }
-    kept
-}
-
-/// The ranges of both axes: x as the data have it, y with a margin; none if nothing can be shown.
-fn ranges(figure: &LineFigure) -> Option<((f64, f64), (f64, f64))> {
-    let points: Vec<Point> = figure
-        .series
-        .iter()
-        .flat_map(|s| runs(s, figure).into_iter().flatten())
-        .collect();
-    let marks = figure.marks.iter().map(|m| m.0);
-    let x = bounds(points.iter().map(|p| p.0).chain(marks))?;
-    let y = bounds(points.iter().map(|p| p.1))?;
-    let has_markers = figure.series.iter().any(|s| s.stroke == Stroke::Points);
-    let x_margin = if has_markers { 0.02 } else { 0.0 };
-    Some((
-        widen(x, figure.log_x, x_margin, false),
-        widen(y, figure.log_y, 0.06, true),
-    ))
-}
-
-fn bounds(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
-    values
-        .filter(|v| v.is_finite())
-        .fold(None, |sofar, v| match sofar {
-            None => Some((v, v)),
-            Some((lo, hi)) => Some((lo.min(v), hi.max(v))),
-        })
-}
-
-/// A range with a margin on both sides, never empty; from zero if the values begin near it and `from_zero`.
-fn widen((lo, hi): (f64, f64), log: bool, margin: f64, from_zero: bool) -> (f64, f64) {
-    if log {
-        let decades = (hi / lo).log10();
-        let factor = 10f64.powf(if decades > 0.0 { margin * decades } else { 0.5 });
-        return (lo / factor, hi * factor);
-    }
-    if hi - lo <= 1e-12 * lo.abs().max(hi.abs()) {
-        // A constant, perhaps with rounding noise: show it as flat, between whole steps.
-        let half = if hi == 0.0 { 1.0 } else { step(hi.abs(), 2) };
-        return (lo - half, hi + half);
-    }
-    let more = margin * (hi - lo);
-    if from_zero && lo >= 0.0 && lo < 0.4 * hi {
-        return (0.0, hi + more);
-    }
-    if from_zero && hi <= 0.0 && hi > 0.4 * lo {
-        return (lo - more, 0.0);
-    }
-    (lo - more, hi + more)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::{Figure, SecondAxis};
+    use crate::figure::{Figure, SecondAxis, Series};
     use crate::output::plot::{png, svg};
 
     fn figure() -> LineFigure {

@@ -2,7 +2,7 @@
 
 use super::OutputError;
 use super::axis::Scale;
-use super::canvas::{Anchor, Area, Canvas, Pen, TITLE, label_room, text_width};
+use super::canvas::{Area, Canvas, LABEL, Pen, label_room, text_width};
 use super::colours::{INK, MISSING, Rgb, diverging, sequential};
 use super::raster::Image;
 use crate::figure::MapFigure;
@@ -48,8 +48,14 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
     let y_ticks = Scale::new(y_span, false, (1.0, 0.0)).ticks(8);
     let bar_ticks = Scale::new(range, false, (1.0, 0.0)).ticks(8);
     let left = (label_room(&y_ticks) + 46.0).round();
-    let right = BAR.0 + BAR.1 + label_room(&bar_ticks) + 48.0;
-    let room = LARGEST.0.min(WIDTH - left - right);
+    // A flat map has its colour bar below, where the label has room.
+    let flat = figure.equal_axes && lengths.1 < 0.4 * lengths.0;
+    let (right, room) = if flat {
+        (34.0, WIDTH - left - 34.0)
+    } else {
+        let right = BAR.0 + BAR.1 + label_room(&bar_ticks) + 48.0;
+        (right, LARGEST.0.min(WIDTH - left - right))
+    };
     let (width, height) = if figure.equal_axes {
         let per_metre = (room / lengths.0).min(LARGEST.1 / lengths.1);
         (per_metre * lengths.0, per_metre * lengths.1)
@@ -58,11 +64,29 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
     };
     // A narrow map is centred on the page, with its colour bar.
     let start = (left + 0.5 * (WIDTH - left - right - width)).round();
+    // The upright labels may reach beyond the frame.
+    let beside = if flat { "" } else { &figure.value_label };
+    let longest = text_width(&figure.y_label, LABEL).max(text_width(beside, LABEL));
+    let overhang = 0.5 * (longest - height);
+    let top = (40.0 + overhang).max(52.0).round();
     let frame = Area {
         left: start,
-        top: 52.0,
+        top,
         right: start + width.round(),
-        bottom: 52.0 + height.round(),
+        bottom: top + height.round(),
+    };
+    let bar = if flat {
+        Area {
+            top: frame.bottom + 70.0,
+            bottom: frame.bottom + 70.0 + BAR.0,
+            ..frame
+        }
+    } else {
+        Area {
+            left: frame.right + BAR.1,
+            right: frame.right + BAR.1 + BAR.0,
+            ..frame
+        }
     };
     let x = Scale::new(x_span, false, (frame.left, frame.right));
     let y = Scale::new(y_span, false, (frame.bottom, frame.top));
@@ -87,7 +111,10 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
         }
     };
 
-    let mut canvas = Canvas::new(WIDTH, frame.bottom + 62.0);
+    let mut canvas = Canvas::new(
+        WIDTH,
+        (frame.bottom + overhang).max(bar.bottom + 62.0).round(),
+    );
     let size = [frame.width() as usize, frame.height() as usize];
     canvas.image(Image {
         area: frame,
@@ -99,42 +126,55 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
     canvas.x_axis(frame, x, &x.ticks(x_count), &figure.x_label, false);
     let y_count = ((frame.height() / 45.0) as usize).clamp(3, 8);
     canvas.y_axis(frame, y, &y.ticks(y_count), &figure.y_label, false);
-    colour_bar(
-        &mut canvas,
-        frame,
-        range,
-        &figure.value_label,
-        &palette[..usize::from(STEPS)],
-    );
-    // Centred over the map unless it is wider, then over the page.
-    let middle = if text_width(&figure.title, TITLE) < frame.width() {
-        0.5 * (frame.left + frame.right)
+    let bar_scale = if flat {
+        Scale::new(range, false, (bar.left, bar.right))
     } else {
-        0.5 * WIDTH
+        Scale::new(range, false, (bar.bottom, bar.top))
     };
-    canvas.text((middle, 30.0), &figure.title, TITLE, Anchor::Middle);
+    colour_bar(&mut canvas, bar, flat, &palette[..usize::from(STEPS)]);
+    if flat {
+        canvas.x_axis(
+            bar,
+            bar_scale,
+            &bar_scale.ticks(8),
+            &figure.value_label,
+            false,
+        );
+    } else {
+        canvas.y_axis(
+            bar,
+            bar_scale,
+            &bar_scale.ticks(y_count),
+            &figure.value_label,
+            true,
+        );
+    }
+    canvas.title(frame, &figure.title);
     Ok(canvas)
 }
 
-fn colour_bar(canvas: &mut Canvas, frame: Area, range: (f64, f64), label: &str, colours: &[Rgb]) {
-    let left = frame.right + BAR.1;
-    let bar = Area {
-        left,
-        right: left + BAR.0,
-        ..frame
-    };
-    let scale = Scale::new(range, false, (bar.bottom, bar.top));
-    let height = bar.height() / colours.len() as f64;
+/// The colours side by side, from the left or from below.
+fn colour_bar(canvas: &mut Canvas, bar: Area, flat: bool, colours: &[Rgb]) {
+    let count = colours.len() as f64;
     for (step, &colour) in colours.iter().enumerate() {
-        let bottom = bar.bottom - height * step as f64;
         // Each step runs on under the next: viewers show a seam between rectangles that merely touch.
-        let top = (bottom - 1.7 * height).max(bar.top);
-        let area = Area { top, bottom, ..bar };
+        let (from, to) = (step as f64 / count, ((step as f64 + 1.7) / count).min(1.0));
+        let area = if flat {
+            Area {
+                left: bar.left + from * bar.width(),
+                right: bar.left + to * bar.width(),
+                ..bar
+            }
+        } else {
+            Area {
+                top: bar.bottom - to * bar.height(),
+                bottom: bar.bottom - from * bar.height(),
+                ..bar
+            }
+        };
         canvas.rectangle(area, Some(colour), None);
     }
     canvas.rectangle(bar, None, Some(Pen::solid(INK, 1.2)));
-    let count = ((frame.height() / 45.0) as usize).clamp(3, 8);
-    canvas.y_axis(bar, scale, &scale.ticks(count), label, true);
 }
 
 /// The edges of the outermost cells.
@@ -243,6 +283,18 @@ mod tests {
         let png = png(&Figure::Map(figure(61, 41, false))).unwrap();
         let width = u32::from_be_bytes(png[16..20].try_into().unwrap());
         assert_eq!(width, 1800);
+    }
+
+    #[test]
+    fn a_flat_map_has_its_colour_bar_below() {
+        let mut map = figure(121, 11, true);
+        map.y.iter_mut().for_each(|y| *y *= 0.2);
+        let svg = svg(&Figure::Map(map)).unwrap();
+        let label = svg
+            .lines()
+            .find(|l| l.contains("displacement [mm]"))
+            .unwrap();
+        assert!(!label.contains("rotate"), "{label}");
     }
 
     #[test]

@@ -7,6 +7,7 @@ mod axis;
 mod canvas;
 mod colours;
 pub mod csv;
+mod curves;
 mod error;
 pub mod hdf5;
 pub mod json;
