@@ -1,10 +1,12 @@
-//! groundwave: moving trains on layered ground.
+//! groundwave
+pub mod case;
 pub mod concern;
 pub mod dataset;
 pub mod figure;
 pub mod foundation;
 pub mod interaction;
 pub mod math;
+pub mod output;
 pub mod progress;
 pub mod soil;
 pub mod study;

@@ -1,0 +1,250 @@
+//! `results.h5`: one group per study, coordinates as HDF5 dimension scales, as h5py, xarray and MATLAB expect them.
+//!
+//! The only file that knows the HDF5 library.
+
+use super::{OutputError, whole::whole};
+use crate::dataset::{Attribute, Dataset, Group, Variable};
+use ::hdf5::types::VarLenUnicode;
+use ::hdf5::{H5Dataset, H5File, H5Group, Hdf5Error};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Arrays above this size are chunked and deflated [values]: 64 kB; below, the index costs more than it saves.
+const COMPRESS_ABOVE: usize = 8192;
+/// Largest chunk [values]: 512 kB, so that a reader of one row need not inflate the whole field.
+const CHUNK: usize = 65_536;
+
+/// Writes `dataset` to `path`, replacing an existing file.
+///
+/// Every [`Group`] becomes an HDF5 group and every variable a dataset of 64-bit floats with the attributes `units` and
+/// `long_name`. A coordinate is a dimension scale (`CLASS`, `NAME`) and is attached to each axis that bears its name
+/// (`DIMENSION_LIST`), so that `xarray.open_dataset(path, group = "critical_speed", engine = "h5netcdf")` finds the
+/// coordinates by itself. Arrays above 64 kB are chunked, shuffled and deflated at level 1.
+///
+/// # Errors
+/// [`OutputError::Dimension`] for a dimension without a coordinate of the same length; [`OutputError::Hdf5`] and
+/// [`OutputError::Write`] if the file cannot be written.
+///
+/// Accuracy: values are stored bit for bit (`values_and_units_read_back_bit_for_bit`; `tests/python/check_hdf5.py`
+/// compares with h5py and xarray).
+pub fn write(dataset: &Dataset, path: &Path) -> Result<(), OutputError> {
+    for group in &dataset.groups {
+        check_dimensions(group, path)?;
+    }
+    whole(path, |aside| {
+        let failed = |object: &str| {
+            let object = object.to_owned();
+            move |source: Hdf5Error| OutputError::Hdf5 {
+                path: path.to_owned(),
+                object,
+                source: Box::new(source),
+            }
+        };
+        let file = H5File::create(aside).map_err(failed("the file"))?;
+        write_attributes(&file.root_group(), &dataset.attributes)
+            .map_err(failed("the root attributes"))?;
+        for group in &dataset.groups {
+            write_group(&file, group).map_err(failed(&format!("the group {}", group.name)))?;
+        }
+        file.close().map_err(failed("the file"))
+    })
+}
+
+fn check_dimensions(group: &Group, path: &Path) -> Result<(), OutputError> {
+    for variable in &group.variables {
+        for (dimension, &found) in variable.dims.iter().zip(variable.values.shape()) {
+            let expected = group
+                .get(dimension)
+                .filter(|v| v.is_coordinate())
+                .map(|v| v.values.len());
+            if expected != Some(found) {
+                return Err(OutputError::Dimension {
+                    path: path.to_owned(),
+                    group: group.name.clone(),
+                    variable: variable.name.clone(),
+                    dimension: dimension.clone(),
+                    found,
+                    expected,
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+fn write_group(file: &H5File, group: &Group) -> Result<(), Hdf5Error> {
+    let place = file.create_group(&group.name)?;
+    write_attributes(&place, &group.attributes)?;
+    let mut scales = BTreeMap::new();
+    let (coordinates, data): (Vec<_>, Vec<_>) =
+        group.variables.iter().partition(|v| v.is_coordinate());
+    for coordinate in coordinates {
+        let stored = write_variable(&place, coordinate)?;
+        stored.set_scale(Some(&coordinate.name))?;
+        scales.insert(coordinate.name.as_str(), stored);
+    }
+    for variable in data {
+        let stored = write_variable(&place, variable)?;
+        for (axis, dimension) in variable.dims.iter().enumerate() {
+            // `check_dimensions` has seen to it that the scale exists.
+            if let Some(scale) = scales.get(dimension.as_str()) {
+                stored.attach_scale(axis, scale)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn write_variable(place: &H5Group, variable: &Variable) -> Result<H5Dataset, Hdf5Error> {
+    let shape = variable.values.shape();
+    let builder = place.new_dataset::<f64>();
+    let builder = if shape.is_empty() {
+        builder.scalar()
+    } else if variable.values.len() > COMPRESS_ABOVE {
+        builder
+            .shape(shape)
+            .chunk(&chunk_of(shape))
+            .shuffle_deflate(1)
+    } else {
+        builder.shape(shape)
+    };
+    let stored = builder.create(&variable.name)?;
+    let values: Vec<f64> = variable.values.iter().copied().collect();
+    // An empty array owns no storage that could be written to.
+    if !values.is_empty() {
+        stored.write_raw(&values)?;
+    }
+    for (name, text) in [
+        ("units", &variable.units),
+        ("long_name", &variable.long_name),
+    ] {
+        let attribute = stored.new_attr::<VarLenUnicode>().shape(()).create(name)?;
+        attribute.write_string(text)?;
+    }
+    Ok(stored)
+}
+
+/// Whole fastest axes as long as they fit into [`CHUNK`] values, then a part of the next, then single rows.
+fn chunk_of(shape: &[usize]) -> Vec<usize> {
+    let mut room = CHUNK;
+    let mut chunk: Vec<usize> = shape
+        .iter()
+        .rev()
+        .map(|&length| {
+            let part = length.min(room).max(1);
+            room /= part;
+            part
+        })
+        .collect();
+    chunk.reverse();
+    chunk
+}
+
+fn write_attributes(place: &H5Group, attributes: &[(String, Attribute)]) -> Result<(), Hdf5Error> {
+    for (name, value) in attributes {
+        match value {
+            Attribute::Text(text) => place.set_attr_string(name, text)?,
+            Attribute::Number(number) => place.set_attr_numeric(name, number)?,
+            Attribute::Integer(integer) => place.set_attr_numeric(name, integer)?,
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ndarray::Array2;
+
+    fn sample() -> Dataset {
+        let speed = [10.0, 20.0, 30.0];
+        let x: Vec<f64> = (0..5000).map(|i| 0.1 * f64::from(i)).collect();
+        let rail = Array2::from_shape_fn((3, 5000), |(i, j)| (i as f64 + 0.3) / (j as f64 + 7.0));
+        Dataset {
+            attributes: vec![
+                ("version".into(), "0.1.0".into()),
+                ("case".into(), "β, ω\n".repeat(20_000).into()),
+                ("seed".into(), Attribute::Integer(-7)),
+            ],
+            groups: vec![
+                Group::new("track_response")
+                    .coordinate("speed", &speed, "m s-1", "Train speed")
+                    .coordinate("x", &x, "m", "Distance ahead of the load")
+                    .variable(
+                        "rail",
+                        &["speed", "x"],
+                        rail.into_dyn(),
+                        "m",
+                        "Rail, positive down",
+                    )
+                    .scalar("critical_speed", 136.7, "m s-1", "Critical speed")
+                    .attribute("damping", 0.03),
+                Group::new("dispersion").coordinate("mode", &[], "1", "No mode found"),
+            ],
+        }
+    }
+
+    #[test]
+    fn values_and_units_read_back_bit_for_bit() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("results.h5");
+        let dataset = sample();
+        write(&dataset, &path).unwrap();
+        let file = H5File::open(&path).unwrap();
+        assert_eq!(file.attr_string("version").unwrap(), "0.1.0");
+        assert_eq!(file.attr_string("case").unwrap().len(), 7 * 20_000);
+        for group in &dataset.groups {
+            for variable in &group.variables {
+                let stored = file
+                    .dataset(&format!("{}/{}", group.name, variable.name))
+                    .unwrap();
+                assert_eq!(stored.shape(), variable.values.shape());
+                assert_eq!(stored.read_raw::<f64>().unwrap(), variable.to_vec());
+                let units = stored.attr("units").unwrap().read_string().unwrap();
+                assert_eq!(units, variable.units);
+            }
+        }
+        let rail = file.dataset("track_response/rail").unwrap();
+        assert!(rail.is_chunked());
+        assert!(rail.attr("DIMENSION_LIST").is_ok());
+        let x = file.dataset("track_response/x").unwrap();
+        assert_eq!(
+            x.attr("CLASS").unwrap().read_string().unwrap(),
+            "DIMENSION_SCALE"
+        );
+        assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_dimension_without_coordinate_is_refused() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("results.h5");
+        let values = ndarray::arr1(&[1.0, 2.0]).into_dyn();
+        let group = Group::new("g").coordinate("x", &[0.0], "m", "x").variable(
+            "u",
+            &["x"],
+            values,
+            "m",
+            "u",
+        );
+        let dataset = Dataset {
+            groups: vec![group],
+            ..Dataset::default()
+        };
+        let error = write(&dataset, &path).unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .contains("`x` has 2 values, the coordinate has 1"),
+            "{error}"
+        );
+        assert!(!path.exists());
+    }
+
+    #[test]
+    fn chunks_stay_below_half_a_megabyte() {
+        assert_eq!(chunk_of(&[1024, 1024]), [64, 1024]);
+        assert_eq!(chunk_of(&[200_000]), [65_536]);
+        assert_eq!(chunk_of(&[3, 0]), [3, 1]);
+    }
+}

@@ -1,0 +1,371 @@
+//! Curves over one abscissa.
+
+use super::OutputError;
+use super::axis::Scale;
+use super::canvas::{Anchor, Area, Canvas, Pen, Point, TICK, label_room, text_width};
+use super::colours::{GREY, INK, Rgb, curve};
+use super::curves::{marks, ranges, runs, thin_out};
+use crate::figure::{LineFigure, Stroke};
+
+/// Page width [px].
+const WIDTH: f64 = 900.0;
+/// Height of the frame around the curves [px].
+const HEIGHT: f64 = 440.0;
+/// Height of a line of the legend [px].
+const ROW: f64 = 22.0;
+/// Length of the stroke shown in the legend [px].
+const SAMPLE: f64 = 34.0;
+
+/// Draws the figure; values that are not finite (or not positive on a logarithmic axis) are gaps in the curves.
+pub(super) fn draw(figure: &LineFigure) -> Result<Canvas, OutputError> {
+    let Some((x_range, y_range)) = ranges(figure) else {
+        return Err(OutputError::Figure {
+            figure: figure.name.clone(),
+            reason: "no curve has a point that can be shown".to_owned(),
+            remedy: "at least one finite point (positive on a logarithmic axis)".to_owned(),
+        });
+    };
+    let plan = |room_right: f64| Plan::new(figure, x_range, y_range, room_right);
+    let mut plan_taken = plan(0.0);
+    let mut spots = plan_taken.spots(figure);
+    // No free corner: the legend goes beside the frame, if that leaves the curves most of the page.
+    if spots.crowded && spots.legend.width() < 0.35 * WIDTH {
+        plan_taken = plan(spots.legend.width() + 6.0);
+        spots = plan_taken.spots(figure);
+        let (left, top) = (plan_taken.frame.right + 6.0, plan_taken.frame.top);
+        spots.legend = Area {
+            left,
+            top,
+            right: left + spots.legend.width(),
+            bottom: top + spots.legend.height(),
+        };
+    }
+    Ok(plan_taken.draw(figure, &spots))
+}
+
+/// Where everything lies.
+struct Plan {
+    frame: Area,
+    x: Scale,
+    y: Scale,
+}
+
+/// Room found for the legend and for the label of each vertical mark.
+struct Spots {
+    legend: Area,
+    crowded: bool,
+    marks: Vec<Area>,
+}
+
+impl Plan {
+    fn new(figure: &LineFigure, x: (f64, f64), y: (f64, f64), room_right: f64) -> Self {
+        let pixels = (HEIGHT, 0.0);
+        let labels = Scale::new(y, figure.log_y, pixels).ticks(7);
+        let top = if figure.second_x.is_some() {
+            104.0
+        } else {
+            52.0
+        };
+        let frame = Area {
+            left: (label_room(&labels) + 46.0).round(),
+            top,
+            right: WIDTH - 26.0 - room_right.round(),
+            bottom: top + HEIGHT,
+        };
+        let (low, high) = if figure.y_down {
+            (frame.top, frame.bottom)
+        } else {
+            (frame.bottom, frame.top)
+        };
+        Self {
+            frame,
+            x: Scale::new(x, figure.log_x, (frame.left, frame.right)),
+            y: Scale::new(y, figure.log_y, (low, high)),
+        }
+    }
+
+    fn at(&self, (x, y): Point) -> Point {
+        (self.x.at(x), self.y.at(y))
+    }
+
+    fn draw(&self, figure: &LineFigure, spots: &Spots) -> Canvas {
+        let frame = self.frame;
+        let mut canvas = Canvas::new(WIDTH, frame.bottom + 62.0);
+        let (x_ticks, y_ticks) = (self.x.ticks(8), self.y.ticks(7));
+        canvas.grid(frame, (self.x, &x_ticks), (self.y, &y_ticks));
+        let white = Some([255; 3]);
+        for (value, _) in marks(figure) {
+            let x = self.x.at(value);
+            let pen = Pen {
+                dash: Some((2.5, 3.5)),
+                ..Pen::solid(GREY, 1.6)
+            };
+            canvas.line((x, frame.top), (x, frame.bottom), pen);
+        }
+        for (index, series) in figure.series.iter().enumerate() {
+            let colour = curve(index, figure.series.len());
+            for run in runs(series, figure) {
+                let points: Vec<_> = run.into_iter().map(|p| self.at(p)).collect();
+                stroke(&mut canvas, thin_out(points), series.stroke, colour);
+            }
+        }
+        for ((_, label), area) in marks(figure).zip(&spots.marks) {
+            canvas.rectangle(*area, white, None);
+            let start = (area.left + 4.0, area.bottom - 5.0);
+            canvas.text(start, label, TICK, Anchor::Start);
+        }
+        canvas.rectangle(frame, None, Some(Pen::solid(INK, 1.2)));
+        canvas.x_axis(frame, self.x, &x_ticks, &figure.x_label, false);
+        canvas.y_axis(frame, self.y, &y_ticks, &figure.y_label, false);
+        if let Some(second) = &figure.second_x {
+            let scale = self.x.times(second.factor);
+            canvas.x_axis(frame, scale, &scale.ticks(8), &second.label, true);
+        }
+        canvas.title(frame, &figure.title);
+        if has_legend(figure) {
+            canvas.rectangle(spots.legend, white, None);
+            for (index, series) in figure.series.iter().enumerate() {
+                let y = spots.legend.top + 6.0 + ROW * (index as f64 + 0.5);
+                let left = spots.legend.left + 8.0;
+                let ends = match series.stroke {
+                    Stroke::Points => vec![(left + 0.5 * SAMPLE, y)],
+                    Stroke::Solid | Stroke::Dashed => vec![(left, y), (left + SAMPLE, y)],
+                };
+                stroke(
+                    &mut canvas,
+                    ends,
+                    series.stroke,
+                    curve(index, figure.series.len()),
+                );
+                canvas.text(
+                    (left + SAMPLE + 9.0, y + 5.0),
+                    &series.name,
+                    TICK,
+                    Anchor::Start,
+                );
+            }
+        }
+        canvas
+    }
+
+    /// Looks for room that no curve crosses, first beside each mark, then in the corners for the legend.
+    fn spots(&self, figure: &LineFigure) -> Spots {
+        let mut taken = Vec::new();
+        for series in &figure.series {
+            for run in runs(series, figure) {
+                taken.extend(self.trail(&run));
+            }
+        }
+        let frame = self.frame;
+        let mut busy: Vec<Area> = marks(figure)
+            .map(|(value, _)| self.x.at(value))
+            .map(|x| Area {
+                left: x - 3.0,
+                right: x + 3.0,
+                ..frame
+            })
+            .collect();
+        let mut labels = Vec::new();
+        for (value, label) in marks(figure) {
+            let x = self.x.at(value);
+            let (width, height) = (text_width(label, TICK) + 8.0, 20.0);
+            let candidates = (0..(frame.height() / height) as usize - 1).flat_map(|row| {
+                let top = frame.top + 10.0 + height * row as f64;
+                [x + 4.0, x - 4.0 - width].map(|left| Area {
+                    left,
+                    top,
+                    right: left + width,
+                    bottom: top + height,
+                })
+            });
+            let inside =
+                candidates.filter(|a| a.left > frame.left + 2.0 && a.right < frame.right - 2.0);
+            let (area, _) = freest(inside, &taken, &busy).unwrap_or((frame, 0));
+            busy.push(area);
+            labels.push(area);
+        }
+        let names = figure.series.iter().map(|s| text_width(&s.name, TICK));
+        let width = names.fold(0.0, f64::max) + SAMPLE + 27.0;
+        let height = ROW * figure.series.len() as f64 + 12.0;
+        let columns = [
+            frame.right - 14.0 - width,
+            frame.left + 14.0,
+            0.5 * (frame.left + frame.right - width),
+        ];
+        let rows = [frame.top + 12.0, frame.bottom - 12.0 - height];
+        let candidates = columns.into_iter().flat_map(|left| {
+            rows.map(|top| Area {
+                left,
+                top,
+                right: left + width,
+                bottom: top + height,
+            })
+        });
+        let found = freest(candidates, &taken, &busy);
+        let (legend, hits) = found.unwrap_or((frame, 0));
+        Spots {
+            legend,
+            crowded: has_legend(figure) && hits > 0,
+            marks: labels,
+        }
+    }
+
+    /// Points at most 4 px apart along a curve.
+    fn trail(&self, run: &[Point]) -> Vec<Point> {
+        let mut trail: Vec<Point> = run.iter().take(1).map(|p| self.at(*p)).collect();
+        for pair in run.windows(2) {
+            let (a, b) = (self.at(pair[0]), self.at(pair[1]));
+            let parts = ((b.0 - a.0).hypot(b.1 - a.1) / 4.0)
+                .ceil()
+                .clamp(1.0, 500.0);
+            trail.extend((1..=parts as usize).map(|i| {
+                let part = i as f64 / parts;
+                (a.0 + part * (b.0 - a.0), a.1 + part * (b.1 - a.1))
+            }));
+        }
+        trail
+    }
+}
+
+/// The first candidate that nothing touches, or the one that touches least; with the number of points touched.
+fn freest(
+    candidates: impl Iterator<Item = Area>,
+    taken: &[Point],
+    busy: &[Area],
+) -> Option<(Area, usize)> {
+    let hits = |area: &Area| {
+        taken.iter().filter(|p| area.contains(**p)).count()
+            + 50 * busy.iter().filter(|other| area.overlaps(other)).count()
+    };
+    candidates
+        .map(|area| (area, hits(&area)))
+        .min_by_key(|(_, hits)| *hits)
+}
+
+/// A single curve is named by the axis it lies on.
+fn has_legend(figure: &LineFigure) -> bool {
+    figure.series.len() > 1
+}
+
+fn stroke(canvas: &mut Canvas, points: Vec<Point>, stroke: Stroke, colour: Rgb) {
+    let pen = Pen::solid(colour, 2.2);
+    match stroke {
+        // A point alone between gaps makes no line.
+        _ if points.len() == 1 => canvas.circle(points[0], 4.2, colour),
+        Stroke::Solid => canvas.polyline(points, pen),
+        Stroke::Dashed => {
+            let dash = Some((9.0, 5.0));
+            canvas.polyline(points, Pen { dash, ..pen });
+        }
+        Stroke::Points => {
+            for point in points {
+                canvas.circle(point, 4.2, colour);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::{Figure, SecondAxis, Series};
+    use crate::output::plot::{png, svg};
+
+    fn figure() -> LineFigure {
+        let x: Vec<f64> = (0..100).map(|i| 10.0 + f64::from(i)).collect();
+        let hill = |centre: f64| {
+            let y = x
+                .iter()
+                .map(|v| 1.0 + 4.0 * (-(v - centre).powi(2) / 200.0).exp());
+            y.collect::<Vec<_>>()
+        };
+        let series = |name: &str, centre, stroke| Series {
+            name: name.into(),
+            x: x.clone(),
+            y: hill(centre),
+            stroke,
+        };
+        LineFigure {
+            name: "critical_speed".into(),
+            title: "Deflection & speed".into(),
+            x_label: "speed [m/s]".into(),
+            y_label: "deflection [mm]".into(),
+            second_x: Some(SecondAxis {
+                label: "speed [km/h]".into(),
+                factor: 3.6,
+            }),
+            y_down: false,
+            log_x: false,
+            log_y: false,
+            series: vec![
+                series("down", 60.0, Stroke::Solid),
+                series("up", 80.0, Stroke::Dashed),
+            ],
+            marks: vec![(60.0, "critical speed".into())],
+        }
+    }
+
+    #[test]
+    fn the_svg_carries_every_label() {
+        let svg = svg(&Figure::Lines(figure())).unwrap();
+        for text in [
+            "Deflection &amp; speed",
+            "speed [m/s]",
+            "speed [km/h]",
+            "deflection [mm]",
+            "down",
+            "up",
+            "critical speed",
+            "stroke-dasharray",
+            "viewBox=\"0 0 900 606\"",
+        ] {
+            assert!(svg.contains(text), "{text} is missing");
+        }
+    }
+
+    #[test]
+    fn the_png_has_twice_the_size_of_the_page() {
+        let png = png(&Figure::Lines(figure())).unwrap();
+        assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
+        let number = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().unwrap());
+        assert_eq!((number(16), number(20)), (1800, 1212));
+    }
+
+    #[test]
+    fn legend_and_mark_labels_keep_clear_of_the_curves() {
+        let figure = figure();
+        let (x, y) = ranges(&figure).unwrap();
+        let plan = Plan::new(&figure, x, y, 0.0);
+        let spots = plan.spots(&figure);
+        assert!(!spots.crowded);
+        let points = figure
+            .series
+            .iter()
+            .flat_map(|s| runs(s, &figure))
+            .flatten();
+        for point in points.map(|p| plan.at(p)) {
+            assert!(!spots.legend.contains(point));
+            assert!(!spots.marks[0].contains(point));
+        }
+        assert!(!spots.legend.overlaps(&spots.marks[0]));
+    }
+
+    #[test]
+    fn a_downward_axis_points_down_and_gaps_stay_gaps() {
+        let mut figure = figure();
+        figure.y_down = true;
+        figure.series[0].y[50] = f64::NAN;
+        assert_eq!(runs(&figure.series[0], &figure).len(), 2);
+        let (x, y) = ranges(&figure).unwrap();
+        let plan = Plan::new(&figure, x, y, 0.0);
+        assert!(plan.at((20.0, 5.0)).1 > plan.at((20.0, 1.0)).1);
+    }
+
+    #[test]
+    fn a_figure_without_points_is_refused() {
+        let mut figure = figure();
+        figure.series.clear();
+        let error = svg(&Figure::Lines(figure)).unwrap_err().to_string();
+        assert!(error.contains("critical_speed"), "{error}");
+    }
+}

@@ -1,0 +1,319 @@
+//! Fields over a rectangle.
+
+use super::OutputError;
+use super::axis::Scale;
+use super::canvas::{Area, Canvas, LABEL, Pen, label_room, text_width};
+use super::colours::{INK, MISSING, Rgb, diverging, sequential};
+use super::raster::Image;
+use crate::figure::MapFigure;
+
+/// Page width [px].
+const WIDTH: f64 = 900.0;
+/// Largest frame around the field [px].
+const LARGEST: (f64, f64) = (700.0, 700.0);
+/// Frame height of a map whose axes are not equal [px].
+const HEIGHT: f64 = 440.0;
+/// Width of the colour bar, and its distance from the frame [px].
+const BAR: (f64, f64) = (18.0, 22.0);
+/// Steps of the colours; one more place of the palette is for what is not a number. Indexed images are small.
+const STEPS: u8 = 255;
+
+/// Draws the figure. The field is an embedded image, interpolated linearly between its values; what is not a number is
+/// grey.
+pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
+    let refuse = |reason: String, remedy: &str| OutputError::Figure {
+        figure: figure.name.clone(),
+        reason,
+        remedy: remedy.to_owned(),
+    };
+    let (nx, ny) = (figure.x.len(), figure.y.len());
+    if figure.values.dim() != (ny, nx) || nx < 2 || ny < 2 {
+        let reason = format!(
+            "{:?} values over {ny} × {nx} points (y, x)",
+            figure.values.dim()
+        );
+        return Err(refuse(
+            reason,
+            "one value per point, and two points each way at least",
+        ));
+    }
+    let Some(range) = range(figure) else {
+        return Err(refuse(
+            "no value is finite".to_owned(),
+            "a finite value at least",
+        ));
+    };
+    let (x_span, y_span) = (outer(&figure.x), outer(&figure.y));
+    let lengths = (x_span.1 - x_span.0, y_span.1 - y_span.0);
+    let y_ticks = Scale::new(y_span, false, (1.0, 0.0)).ticks(8);
+    let bar_ticks = Scale::new(range, false, (1.0, 0.0)).ticks(8);
+    let left = (label_room(&y_ticks) + 46.0).round();
+    // A flat map has its colour bar below, where the label has room.
+    let flat = figure.equal_axes && lengths.1 < 0.4 * lengths.0;
+    let (right, room) = if flat {
+        (34.0, WIDTH - left - 34.0)
+    } else {
+        let right = BAR.0 + BAR.1 + label_room(&bar_ticks) + 48.0;
+        (right, LARGEST.0.min(WIDTH - left - right))
+    };
+    let (width, height) = if figure.equal_axes {
+        let per_metre = (room / lengths.0).min(LARGEST.1 / lengths.1);
+        (per_metre * lengths.0, per_metre * lengths.1)
+    } else {
+        (room, HEIGHT)
+    };
+    // A narrow map is centred on the page, with its colour bar.
+    let start = (left + 0.5 * (WIDTH - left - right - width)).round();
+    // The upright labels may reach beyond the frame.
+    let beside = if flat { "" } else { &figure.value_label };
+    let longest = text_width(&figure.y_label, LABEL).max(text_width(beside, LABEL));
+    let overhang = 0.5 * (longest - height);
+    let top = (40.0 + overhang).max(52.0).round();
+    let frame = Area {
+        left: start,
+        top,
+        right: start + width.round(),
+        bottom: top + height.round(),
+    };
+    let bar = if flat {
+        Area {
+            top: frame.bottom + 70.0,
+            bottom: frame.bottom + 70.0 + BAR.0,
+            ..frame
+        }
+    } else {
+        Area {
+            left: frame.right + BAR.1,
+            right: frame.right + BAR.1 + BAR.0,
+            ..frame
+        }
+    };
+    let x = Scale::new(x_span, false, (frame.left, frame.right));
+    let y = Scale::new(y_span, false, (frame.bottom, frame.top));
+    let mut palette: Vec<Rgb> = (0..STEPS)
+        .map(|step| f64::from(step) / f64::from(STEPS - 1))
+        .map(|t| {
+            if figure.symmetric {
+                diverging(2.0 * t - 1.0)
+            } else {
+                sequential(t)
+            }
+        })
+        .collect();
+    palette.push(MISSING);
+    // Values become steps: ⌊(v − lo)/(hi − lo) · STEPS⌋.
+    let place = |value: f64| {
+        let part = (value - range.0) / (range.1 - range.0);
+        if part.is_nan() {
+            STEPS
+        } else {
+            ((part * f64::from(STEPS)) as u8).min(STEPS - 1)
+        }
+    };
+
+    let mut canvas = Canvas::new(
+        WIDTH,
+        (frame.bottom + overhang).max(bar.bottom + 62.0).round(),
+    );
+    let size = [frame.width() as usize, frame.height() as usize];
+    canvas.image(Image {
+        area: frame,
+        palette: palette.clone(),
+        pixels: pixels(figure, size, place),
+    });
+    canvas.rectangle(frame, None, Some(Pen::solid(INK, 1.2)));
+    let x_count = ((frame.width() / 90.0) as usize).clamp(3, 8);
+    canvas.x_axis(frame, x, &x.ticks(x_count), &figure.x_label, false);
+    let y_count = ((frame.height() / 45.0) as usize).clamp(3, 8);
+    canvas.y_axis(frame, y, &y.ticks(y_count), &figure.y_label, false);
+    let bar_scale = if flat {
+        Scale::new(range, false, (bar.left, bar.right))
+    } else {
+        Scale::new(range, false, (bar.bottom, bar.top))
+    };
+    colour_bar(&mut canvas, bar, flat, &palette[..usize::from(STEPS)]);
+    if flat {
+        canvas.x_axis(
+            bar,
+            bar_scale,
+            &bar_scale.ticks(8),
+            &figure.value_label,
+            false,
+        );
+    } else {
+        canvas.y_axis(
+            bar,
+            bar_scale,
+            &bar_scale.ticks(y_count),
+            &figure.value_label,
+            true,
+        );
+    }
+    canvas.title(frame, &figure.title);
+    Ok(canvas)
+}
+
+/// The colours side by side, from the left or from below.
+fn colour_bar(canvas: &mut Canvas, bar: Area, flat: bool, colours: &[Rgb]) {
+    let count = colours.len() as f64;
+    for (step, &colour) in colours.iter().enumerate() {
+        // Each step runs on under the next: viewers show a seam between rectangles that merely touch.
+        let (from, to) = (step as f64 / count, ((step as f64 + 1.7) / count).min(1.0));
+        let area = if flat {
+            Area {
+                left: bar.left + from * bar.width(),
+                right: bar.left + to * bar.width(),
+                ..bar
+            }
+        } else {
+            Area {
+                top: bar.bottom - to * bar.height(),
+                bottom: bar.bottom - from * bar.height(),
+                ..bar
+            }
+        };
+        canvas.rectangle(area, Some(colour), None);
+    }
+    canvas.rectangle(bar, None, Some(Pen::solid(INK, 1.2)));
+}
+
+/// The edges of the outermost cells.
+fn outer(points: &[f64]) -> (f64, f64) {
+    let last = points.len() - 1;
+    let half = 0.5 * (points[last] - points[0]) / last as f64;
+    (points[0] - half, points[last] + half)
+}
+
+/// The values at both ends of the colours: symmetric about zero if the figure is; never an empty range.
+fn range(figure: &MapFigure) -> Option<(f64, f64)> {
+    let finite = figure.values.iter().copied().filter(|v| v.is_finite());
+    let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| {
+        (lo.min(v), hi.max(v))
+    });
+    if lo > hi {
+        return None;
+    }
+    let size = lo.abs().max(hi.abs());
+    let unit = if size > 0.0 { size } else { 1.0 };
+    Some(if figure.symmetric {
+        (-unit, unit)
+    } else if lo >= 0.0 && lo < 0.1 * hi {
+        // A modulus: its colours begin at zero.
+        (0.0, hi)
+    } else if hi - lo > 1e-12 * unit {
+        (lo, hi)
+    } else {
+        (lo - 0.5 * unit, hi + 0.5 * unit)
+    })
+}
+
+/// The image: at every pixel's centre the value interpolated linearly in x and y, the top row being the largest y.
+fn pixels(figure: &MapFigure, [columns, rows]: [usize; 2], place: impl Fn(f64) -> u8) -> Vec<u8> {
+    let (ny, nx) = figure.values.dim();
+    // Cells reach half a spacing beyond the outer points, where the field is held constant.
+    let places = |count: usize, n: usize| -> Vec<(usize, f64)> {
+        (0..count)
+            .map(|i| {
+                let place = (i as f64 + 0.5) / count as f64 * n as f64 - 0.5;
+                let place = place.clamp(0.0, (n - 1) as f64);
+                let below = (place as usize).min(n - 2);
+                (below, place - below as f64)
+            })
+            .collect()
+    };
+    let across = places(columns, nx);
+    let mut image = Vec::with_capacity(columns * rows);
+    for &(j, v) in places(rows, ny).iter().rev() {
+        for &(i, u) in &across {
+            let row = |j: usize| (1.0 - u) * figure.values[[j, i]] + u * figure.values[[j, i + 1]];
+            image.push(place((1.0 - v) * row(j) + v * row(j + 1)));
+        }
+    }
+    image
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::Figure;
+    use crate::output::plot::{png, svg};
+    use ndarray::Array2;
+
+    fn figure(nx: usize, ny: usize, symmetric: bool) -> MapFigure {
+        let axis = |n: usize, span: f64| -> Vec<f64> {
+            (0..n)
+                .map(|i| span * (i as f64 / (n - 1) as f64 - 0.5))
+                .collect()
+        };
+        let (x, y) = (axis(nx, 60.0), axis(ny, 40.0));
+        let values = Array2::from_shape_fn((ny, nx), |(j, i)| {
+            (0.9 * x[i].hypot(y[j])).cos() * (-0.05 * x[i].hypot(y[j])).exp()
+        });
+        MapFigure {
+            name: "contour_137".into(),
+            title: "Vertical displacement".into(),
+            x_label: "x [m]".into(),
+            y_label: "y [m]".into(),
+            value_label: "displacement [mm]".into(),
+            x,
+            y,
+            values,
+            symmetric,
+            equal_axes: true,
+        }
+    }
+
+    #[test]
+    fn a_large_field_stays_a_light_svg() {
+        let svg = svg(&Figure::Map(figure(1100, 1024, true))).unwrap();
+        assert!(svg.len() < 1_000_000, "{} bytes", svg.len());
+        for text in [
+            "data:image/png;base64,iVBOR",
+            "x [m]",
+            "y [m]",
+            "displacement [mm]",
+            "Vertical",
+        ] {
+            assert!(svg.contains(text), "{text} is missing");
+        }
+    }
+
+    #[test]
+    fn the_png_has_twice_the_size_of_the_page() {
+        let png = png(&Figure::Map(figure(61, 41, false))).unwrap();
+        let width = u32::from_be_bytes(png[16..20].try_into().unwrap());
+        assert_eq!(width, 1800);
+    }
+
+    #[test]
+    fn a_flat_map_has_its_colour_bar_below() {
+        let mut map = figure(121, 11, true);
+        map.y.iter_mut().for_each(|y| *y *= 0.2);
+        let svg = svg(&Figure::Map(map)).unwrap();
+        let label = svg
+            .lines()
+            .find(|l| l.contains("displacement [mm]"))
+            .unwrap();
+        assert!(!label.contains("rotate"), "{label}");
+    }
+
+    #[test]
+    fn colours_are_symmetric_about_zero_where_the_sign_matters() {
+        let mut map = figure(21, 21, true);
+        map.values.fill(0.0);
+        map.values[[3, 4]] = -2.0;
+        assert_eq!(range(&map), Some((-2.0, 2.0)));
+        map.symmetric = false;
+        assert_eq!(range(&map), Some((-2.0, 0.0)));
+        map.values.fill(f64::NAN);
+        assert!(svg(&Figure::Map(map)).is_err());
+    }
+
+    #[test]
+    fn the_image_has_large_y_on_top() {
+        let mut map = figure(3, 3, false);
+        map.values = Array2::from_shape_fn((3, 3), |(j, _)| j as f64);
+        let rows = pixels(&map, [3, 3], |v| v as u8);
+        assert_eq!([rows[0], rows[4], rows[8]], [2, 1, 0]);
+    }
+}

@@ -1,0 +1,240 @@
+//! The report: one HTML file that holds everything, for reading, sending and printing.
+
+use crate::concern::Concern;
+use std::fmt::Write as _;
+
+/// A table of the report.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ReportTable {
+    /// Title above the table.
+    pub title: String,
+    /// Column headings, with units.
+    pub header: Vec<String>,
+    /// Rows of cells.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// Everything a reader needs to judge a run: the answers first, then what they rest on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// Title of the case.
+    pub title: String,
+    /// Where the case comes from, if it reproduces something.
+    pub source: Option<String>,
+    /// Version of groundwave.
+    pub version: String,
+    /// What was asked, and the value with its unit.
+    pub answers: Vec<(String, String)>,
+    /// Title, caption and SVG text of every picture.
+    pub figures: Vec<(String, String, String)>,
+    /// Tables.
+    pub tables: Vec<ReportTable>,
+    /// The whole case file.
+    pub case_text: String,
+    /// What the model takes for granted.
+    pub assumptions: Vec<String>,
+    /// Reasons to doubt the answers.
+    pub concerns: Vec<Concern>,
+    /// Literature.
+    pub references: Vec<String>,
+}
+
+const STYLE: &str = include_str!("report.css");
+
+impl Report {
+    /// The report as one self-contained HTML5 document: no scripts, nothing fetched, ready to print on A4.
+    ///
+    /// All text is escaped; the pictures' SVG is taken as it is, without what may stand before its `<svg` tag.
+    pub fn html(&self) -> String {
+        let mut html = format!(
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n<h1>{title}</h1>\n",
+            title = escape(&self.title)
+        );
+        if let Some(source) = &self.source {
+            let _ = writeln!(html, "<p class=\"source\">Source: {}</p>", escape(source));
+        }
+        html.push_str("</header>\n<main>\n");
+        self.answers(&mut html);
+        self.concerns(&mut html);
+        self.figures(&mut html);
+        for table in &self.tables {
+            self::table(&mut html, table);
+        }
+        list(&mut html, "Assumptions", &self.assumptions);
+        list(&mut html, "References", &self.references);
+        let _ = write!(
+            html,
+            "<section class=\"case\">\n<h2>Case file</h2>\n<pre>{}</pre>\n</section>\n</main>\n\
+             <footer>groundwave {}</footer>\n</body>\n</html>\n",
+            escape(&self.case_text),
+            escape(&self.version)
+        );
+        html
+    }
+
+    fn answers(&self, html: &mut String) {
+        if self.answers.is_empty() {
+            return;
+        }
+        html.push_str("<section>\n<h2>Answers</h2>\n<table class=\"answers\">\n");
+        for (what, value) in &self.answers {
+            let _ = writeln!(
+                html,
+                "<tr><th scope=\"row\">{}</th><td>{}</td></tr>",
+                escape(what),
+                escape(value)
+            );
+        }
+        html.push_str("</table>\n</section>\n");
+    }
+
+    fn concerns(&self, html: &mut String) {
+        if self.concerns.is_empty() {
+            html.push_str(
+                "<section class=\"clear\">\n<h2>Concerns</h2>\n<p>No concerns: every check of the run passed.</p>\n\
+                 </section>\n",
+            );
+            return;
+        }
+        html.push_str("<section class=\"concerns\">\n<h2>Concerns</h2>\n<ul>\n");
+        for concern in &self.concerns {
+            let _ = writeln!(
+                html,
+                "<li><strong>{}</strong> {} <em>{}</em></li>",
+                escape(concern.code),
+                escape(&concern.message),
+                escape(&concern.remedy)
+            );
+        }
+        html.push_str("</ul>\n</section>\n");
+    }
+
+    fn figures(&self, html: &mut String) {
+        if self.figures.is_empty() {
+            return;
+        }
+        html.push_str("<section>\n<h2>Figures</h2>\n");
+        for (index, (title, caption, svg)) in self.figures.iter().enumerate() {
+            let start = svg.find("<svg").unwrap_or(0);
+            let _ = writeln!(
+                html,
+                "<figure>\n{}\n<figcaption><b>Figure {}.</b> {}{} {}</figcaption>\n</figure>",
+                &svg[start..],
+                index + 1,
+                escape(title),
+                if title.ends_with(['.', '?', '!']) || title.is_empty() {
+                    ""
+                } else {
+                    "."
+                },
+                escape(caption)
+            );
+        }
+        html.push_str("</section>\n");
+    }
+}
+
+fn table(html: &mut String, table: &ReportTable) {
+    let _ = writeln!(
+        html,
+        "<section>\n<h2>{}</h2>\n<table>\n<thead><tr>",
+        escape(&table.title)
+    );
+    for heading in &table.header {
+        let _ = write!(html, "<th scope=\"col\">{}</th>", escape(heading));
+    }
+    html.push_str("</tr></thead>\n<tbody>\n");
+    for row in &table.rows {
+        html.push_str("<tr>");
+        for cell in row {
+            let _ = write!(html, "<td>{}</td>", escape(cell));
+        }
+        html.push_str("</tr>\n");
+    }
+    html.push_str("</tbody>\n</table>\n</section>\n");
+}
+
+fn list(html: &mut String, title: &str, items: &[String]) {
+    if items.is_empty() {
+        return;
+    }
+    let _ = writeln!(html, "<section>\n<h2>{title}</h2>\n<ul>");
+    for item in items {
+        let _ = writeln!(html, "<li>{}</li>", escape(item));
+    }
+    html.push_str("</ul>\n</section>\n");
+}
+
+/// Text that HTML shows as it stands.
+fn escape(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => safe.push_str("&amp;"),
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '"' => safe.push_str("&quot;"),
+            '\'' => safe.push_str("&#39;"),
+            c => safe.push(c),
+        }
+    }
+    safe
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn report() -> Report {
+        Report {
+            title: "Soft <clay> & \"peat\"".into(),
+            version: "0.1.0".into(),
+            answers: vec![("Critical speed".into(), "137 m/s".into())],
+            figures: vec![(
+                "Speed".into(),
+                "c_s < v".into(),
+                "<svg id=\"a\"></svg>".into(),
+            )],
+            tables: vec![ReportTable {
+                title: "Layers".into(),
+                header: vec!["thickness [m]".into()],
+                rows: vec![vec!["<2".into()]],
+            }],
+            case_text: "# a <b>\n[soil]".into(),
+            ..Report::default()
+        }
+    }
+
+    #[test]
+    fn text_is_escaped_and_pictures_are_not() {
+        let html = report().html();
+        assert!(html.contains("<h1>Soft &lt;clay&gt; &amp; &quot;peat&quot;</h1>"));
+        assert!(html.contains("c_s &lt; v"));
+        assert!(html.contains("<td>&lt;2</td>"));
+        assert!(html.contains("<pre># a &lt;b&gt;\n[soil]</pre>"));
+        assert!(html.contains("<svg id=\"a\"></svg>"));
+        assert!(!html.contains("<clay>"));
+    }
+
+    #[test]
+    fn nothing_is_fetched_and_nothing_runs() {
+        let html = report().html();
+        for word in ["<script", "http://", "https://", "@import", "src="] {
+            assert!(!html.contains(word), "{word}");
+        }
+    }
+
+    #[test]
+    fn answers_come_first_and_concerns_are_shown_or_denied() {
+        let mut report = report();
+        let html = report.html();
+        assert!(html.contains("No concerns"));
+        assert!(html.find("137 m/s") < html.find("No concerns"));
+        report.concerns = vec![Concern::new("wrap-around", "0.3 > 0.01", "Widen x.")];
+        let html = report.html();
+        assert!(html.contains("<strong>wrap-around</strong> 0.3 &gt; 0.01 <em>Widen x.</em>"));
+        assert!(!html.contains("No concerns"));
+    }
+}

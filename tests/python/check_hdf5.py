@@ -1,0 +1,115 @@
+"""Compare results.h5 with the CSV tables of the same run, through h5py and through xarray with h5netcdf.
+
+    python check_hdf5.py results.h5 folder_of_csv
+
+Every variable of every group must have the same values (bit for bit), units, description and dimensions in both, and
+every dimension must be recognised as a coordinate. Needs h5py, xarray and h5netcdf. Exits with 1 on any difference.
+"""
+
+import csv
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+import xarray as xr
+
+
+def read_csv(path):
+    """Comment lines as (key, text) pairs, then the rows of cells."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    comments = [line[2:].partition(": ")[::2] for line in lines if line.startswith("# ")]
+    return comments, list(csv.reader(line for line in lines if not line.startswith("# ")))
+
+
+def numbers(cells):
+    return np.array([float(cell) for cell in cells], dtype=float)
+
+
+def read_tables(folder):
+    """{group: {heading: (values flattened row by row, description)}} of all CSV files in the folder."""
+    groups = {}
+    for path in sorted(Path(folder).glob("*.csv")):
+        comments, (header, *rows) = read_csv(path)
+        described = dict(comments)
+        found = groups.setdefault(described["group"], {})
+        if path.stem.endswith("_scalars"):
+            for name, value, units, description in rows:
+                found[f"{name} [{units}]"] = (numbers([value]), description)
+        elif path.stem.endswith("_matrix"):
+            slow, fast = header[0].split(" \\ ")
+            found.setdefault(fast, (numbers(header[1:]), None))
+            found.setdefault(slow, (numbers(row[0] for row in rows), None))
+            field = next(h for h in described if path.stem == f"{described['group']}_{h.split(' [')[0]}_matrix")
+            found[field] = (np.concatenate([numbers(row[1:]) for row in rows]), described[field])
+        else:
+            for column, heading in enumerate(header):
+                values = numbers(row[column] for row in rows)
+                found.setdefault(heading, (values, described.get(heading)))
+    return groups
+
+
+def text(value):
+    return value.decode() if isinstance(value, bytes) else str(value)
+
+
+def compare(stored, dataset, name, tables):
+    """The differences of one variable, as a list of texts."""
+    variable, units, description = stored[name], text(stored[name].attrs["units"]), text(stored[name].attrs["long_name"])
+    values = variable[()]
+    differences = []
+    if f"{name} [{units}]" not in tables:
+        return ["not in any CSV"]
+    listed, listed_description = tables[f"{name} [{units}]"]
+    if variable.ndim == 1 and variable.is_scale and len(listed) != values.size:
+        # A coordinate beside a field is repeated in the long table.
+        listed, values = np.unique(listed), np.unique(values)
+    if not np.array_equal(np.ravel(values), listed, equal_nan=True):
+        differences.append("values differ between HDF5 and CSV")
+    if listed_description is not None and description != listed_description:
+        differences.append("descriptions differ between HDF5 and CSV")
+    seen = dataset.variables[name]
+    if not np.array_equal(seen.values, variable[()], equal_nan=True):
+        differences.append("values differ between xarray and h5py")
+    if seen.attrs["units"] != units or seen.attrs["long_name"] != description:
+        differences.append("units or description differ between xarray and h5py")
+    for axis, dimension in enumerate(seen.dims):
+        if dimension not in dataset.coords:
+            differences.append(f"xarray does not take {dimension} for a coordinate")
+        if not variable.is_scale and [key for key in variable.dims[axis].keys()] != [dimension]:
+            differences.append(f"h5py finds no scale {dimension} on axis {axis}")
+    return differences
+
+
+def main(results, folder):
+    tables = read_tables(folder)
+    wrong = 0
+    with h5py.File(results) as file:
+        for group in file:
+            with xr.open_dataset(results, group=group, engine="h5netcdf") as dataset:
+                count = 0
+                for name in file[group]:
+                    for difference in compare(file[group], dataset, name, tables.get(group, {})):
+                        print(f"{group}/{name}: {difference}")
+                        wrong += 1
+                    count += file[group][name].size
+                held = {f"{name} [{text(stored.attrs['units'])}]" for name, stored in file[group].items()}
+                for heading in sorted(set(tables.get(group, {})) - held):
+                    print(f"{group}: the column {heading} is in a CSV file but not in {results}")
+                    wrong += 1
+                print(f"{group}: {', '.join(file[group])}: {count} values compared")
+        missing = sorted(set(tables) - set(file))
+        if missing:
+            print(f"in the CSV files but not in {results}: {', '.join(missing)}")
+            wrong += len(missing)
+        if not len(file):
+            print(f"{results} has no group")
+            wrong += 1
+    print(f"{wrong} differences")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    sys.exit(main(*sys.argv[1:]))
