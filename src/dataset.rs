@@ -67,7 +67,7 @@ impl Group {
         Self { name: name.to_owned(), ..Self::default() }
     }
 
-    /// Adds a coordinate: a 1-D variable along its own dimension. `values` [`units`].
+    /// Adds a coordinate: a 1-D variable along its own dimension, `values` in `units`.
     pub fn coordinate(self, name: &str, values: &[f64], units: &str, long_name: &str) -> Self {
         let values = ndarray::Array1::from(values.to_vec()).into_dyn();
         self.variable(name, &[name], values, units, long_name)

@@ -1,2 +1,7 @@
-//! stub
-fn main() {}
+//! The command `groundwave`: hands its arguments to `cli`.
+
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::main(std::env::args_os())
+}

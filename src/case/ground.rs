@@ -7,7 +7,8 @@ use crate::soil::{Base, Elastic, Layer, Material, Profile, SoilError, Solver};
 
 /// Elastic constants and damping of one material.
 fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
-    const PAIRS: &str = "give young and poisson, or shear_speed and pressure_speed, or shear_speed and poisson";
+    const PAIRS: &str =
+        "give young and poisson, or shear_speed and pressure_speed, or shear_speed and poisson";
     let elastic = match (input.young, input.poisson, input.shear_speed, input.pressure_speed) {
         (Some(young), Some(poisson), None, None) => Elastic::YoungPoisson { young, poisson },
         (None, None, Some(shear), Some(pressure)) => Elastic::Speeds { shear, pressure },
@@ -31,10 +32,11 @@ fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
         (Some(eta), None) => Ok(Some((eta, names[0].to_owned()))),
         (None, Some(xi)) => Ok(Some((2.0 * xi, names[1].to_owned()))),
         (None, None) => Ok(None),
-        (Some(_), Some(_)) => {
-            Err(Finding::new(format!("{path}.{}", names[1]), format!("{} and {} are both given", names[0], names[1]))
-                .help("give one of them; loss factor = 2 × damping ratio"))
-        }
+        (Some(_), Some(_)) => Err(Finding::new(
+            format!("{path}.{}", names[1]),
+            format!("{} and {} are both given", names[0], names[1]),
+        )
+        .help("give one of them; loss factor = 2 × damping ratio")),
     };
     let shear = loss(input.loss_factor, input.damping_ratio, ["loss_factor", "damping_ratio"])?;
     let pressure = loss(
@@ -43,7 +45,8 @@ fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
         ["loss_factor_pressure", "damping_ratio_pressure"],
     )?;
     let Some((eta_s, key_s)) = shear else {
-        return Err(Finding::new(path, "the damping is missing").help("give loss_factor, or damping_ratio (half of it)"));
+        return Err(Finding::new(path, "the damping is missing")
+            .help("give loss_factor, or damping_ratio (half of it)"));
     };
     let (eta_p, key_p) = pressure.unwrap_or((eta_s, key_s.clone()));
     Material::new(elastic, input.density, eta_s, eta_p).map_err(|error| {
@@ -111,7 +114,10 @@ pub fn springs(input: &FoundationInput) -> Result<Winkler, Finding> {
     let FoundationKind::Winkler = input.kind;
     Winkler::new(input.stiffness, input.damping, input.loss_factor).map_err(|error| {
         let text = error.to_string();
-        let key = ["stiffness", "damping", "loss factor"].iter().find(|k| text.contains(*k)).unwrap_or(&"stiffness");
+        let key = ["stiffness", "damping", "loss factor"]
+            .iter()
+            .find(|k| text.contains(*k))
+            .unwrap_or(&"stiffness");
         Finding::new(format!("foundation.{}", key.replace(' ', "_")), text)
     })
 }

@@ -50,7 +50,8 @@ pub fn find(kind: &str, name: &str, path: &str) -> Result<Entry, Finding> {
     let of_kind: Vec<&Entry> = ENTRIES.iter().filter(|e| e.kind == kind).collect();
     of_kind.iter().find(|e| e.name == name).map(|e| **e).ok_or_else(|| {
         let names: Vec<&str> = of_kind.iter().map(|e| e.name).collect();
-        Finding::new(path, format!("the library has no entry \"{name}\" among its {kind}")).help(spelling(name, &names))
+        Finding::new(path, format!("the library has no entry \"{name}\" among its {kind}"))
+            .help(spelling(name, &names))
     })
 }
 

@@ -69,16 +69,29 @@ impl Loader<'_> {
         Ok(text)
     }
 
-    fn resolve<T: DeserializeOwned + Clone>(&self, named: &Named<T>, key: &str, kind: &str) -> Result<Resolved<T>, CaseError> {
+    fn resolve<T: DeserializeOwned + Clone>(
+        &self,
+        named: &Named<T>,
+        key: &str,
+        kind: &str,
+    ) -> Result<Resolved<T>, CaseError> {
         let wanted = match named {
             Named::Table(table) => {
-                return Ok(Resolved { table: table.clone(), prefix: key.to_owned(), name: self.name.to_owned(), text: self.text.to_owned() });
+                return Ok(Resolved {
+                    table: table.clone(),
+                    prefix: key.to_owned(),
+                    name: self.name.to_owned(),
+                    text: self.text.to_owned(),
+                });
             }
             Named::Name(wanted) => wanted,
         };
         let (name, text) = if wanted.ends_with(".toml") {
             let text = self.file(wanted).map_err(|reason| {
-                self.fault(Finding::new(key, format!("cannot read \"{wanted}\": {reason}")).help("the path is relative to the case file"))
+                self.fault(
+                    Finding::new(key, format!("cannot read \"{wanted}\": {reason}"))
+                        .help("the path is relative to the case file"),
+                )
             })?;
             (wanted.clone(), text)
         } else {
@@ -100,22 +113,46 @@ impl Loader<'_> {
         let at = |rest: &str| if prefix.is_empty() { rest.to_owned() } else { format!("{prefix}.{rest}") };
         let fault = |finding: Finding| finding.at(&name, &text);
         let axles: Vec<Axle> = match (&table.axles, &table.vehicle) {
-            (Some(_), Some(_)) => return Err(fault(Finding::new(at("vehicle"), "axles and vehicle are both given").help("give one of them"))),
-            (Some(axles), None) => axles.iter().map(|a| Axle { position: a.position, load: a.load }).collect(),
+            (Some(_), Some(_)) => {
+                return Err(fault(
+                    Finding::new(at("vehicle"), "axles and vehicle are both given").help("give one of them"),
+                ));
+            }
+            (Some(axles), None) => {
+                axles.iter().map(|a| Axle { position: a.position, load: a.load }).collect()
+            }
             (None, Some(vehicle)) => {
-                let inner = self.resolve(&Named::<TrainInput>::Name(vehicle.clone()), "train.vehicle", "vehicles")?;
+                let inner =
+                    self.resolve(&Named::<TrainInput>::Name(vehicle.clone()), "train.vehicle", "vehicles")?;
                 let axles = inner.table.axles.unwrap_or_default();
                 let count = table.count.unwrap_or(1);
                 let length = match (count, inner.table.length) {
                     (1, _) => 0.0,
                     (_, Some(length)) => length,
-                    (_, None) => return Err(fault(Finding::new(at("count"), format!("\"{vehicle}\" is a whole train without a length to repeat it at")).help("use count = 1"))),
+                    (_, None) => {
+                        return Err(fault(
+                            Finding::new(
+                                at("count"),
+                                format!("\"{vehicle}\" is a whole train without a length to repeat it at"),
+                            )
+                            .help("use count = 1"),
+                        ));
+                    }
                 };
                 (0..count)
-                    .flat_map(|i| axles.iter().map(move |a| Axle { position: a.position + length * i as f64, load: a.load }))
+                    .flat_map(|i| {
+                        axles
+                            .iter()
+                            .map(move |a| Axle { position: a.position + length * i as f64, load: a.load })
+                    })
                     .collect()
             }
-            (None, None) => return Err(fault(Finding::new(prefix.clone(), "the train has neither axles nor a vehicle").help("add axles = [{ position = 0.0, load = … }] or vehicle = \"…\""))),
+            (None, None) => {
+                return Err(fault(
+                    Finding::new(prefix.clone(), "the train has neither axles nor a vehicle")
+                        .help("add axles = [{ position = 0.0, load = … }] or vehicle = \"…\""),
+                ));
+            }
         };
         Train::new(axles).map_err(|error| {
             use crate::vehicle::VehicleError::{Load, NoLoad, Position};
@@ -135,17 +172,20 @@ impl Case {
     /// # Errors
     /// Everything wrong with it, at its line and key.
     pub fn load(path: &Path) -> Result<Self, CaseError> {
-        let unreadable = |reason: String| CaseError::Read {
+        let unreadable = |reason: String| {
+            CaseError::Read {
             path: path.to_owned(),
             reason,
             help: "give the path of a case file (TOML) or of a results.h5; `groundwave new` writes one to start from".into(),
+        }
         };
         if path.is_dir() {
             return Err(unreadable("it is a folder".into()));
         }
         if path.extension().is_some_and(|e| e == "h5") {
             let (text, files) = super::runner::stored_case(path).map_err(unreadable)?;
-            let open = |name: &str| files.get(name).cloned().ok_or_else(|| "not stored in the results".to_owned());
+            let open =
+                |name: &str| files.get(name).cloned().ok_or_else(|| "not stored in the results".to_owned());
             return Self::parse(&text, &path.display().to_string(), &open);
         }
         let text = std::fs::read_to_string(path).map_err(|e| unreadable(e.to_string()))?;
@@ -158,7 +198,11 @@ impl Case {
     ///
     /// # Errors
     /// Everything wrong with it, at its line and key.
-    pub fn parse(text: &str, name: &str, open: &dyn Fn(&str) -> Result<String, String>) -> Result<Self, CaseError> {
+    pub fn parse(
+        text: &str,
+        name: &str,
+        open: &dyn Fn(&str) -> Result<String, String>,
+    ) -> Result<Self, CaseError> {
         let input: CaseInput = read(text, name)?;
         let loader = Loader { name, text, open, files: RefCell::default(), references: RefCell::default() };
         let support = match (&input.soil, &input.foundation) {
@@ -170,10 +214,16 @@ impl Case {
             }
             (None, Some(springs)) => Support::Winkler(ground::springs(springs).map_err(|f| loader.fault(f))?),
             (None, None) => {
-                return Err(loader.fault(Finding::new("", "the case has no ground").help("add [soil], or [foundation] for springs")));
+                return Err(loader.fault(
+                    Finding::new("", "the case has no ground")
+                        .help("add [soil], or [foundation] for springs"),
+                ));
             }
             (Some(_), Some(_)) => {
-                return Err(loader.fault(Finding::new("foundation", "soil and foundation are both given").help("remove one of them")));
+                return Err(loader.fault(
+                    Finding::new("foundation", "soil and foundation are both given")
+                        .help("remove one of them"),
+                ));
             }
         };
         let on_ground = matches!(support, Support::Ground(..));
@@ -181,7 +231,8 @@ impl Case {
         let (stack, contact) = track::track(&resolved.table, &resolved.prefix, on_ground)
             .map_err(|f| f.at(&resolved.name, &resolved.text))?;
         let train = input.train.as_ref().map(|train| loader.train(train)).transpose()?;
-        let model = Model::new(support, contact, stack, train).map_err(|e| loader.fault(Finding::new("track", e)))?;
+        let model =
+            Model::new(support, contact, stack, train).map_err(|e| loader.fault(Finding::new("track", e)))?;
         let studies = studies::studies(&input, &|name| loader.file(name)).map_err(|f| loader.fault(f))?;
         for study in &studies {
             study.check(&model).map_err(|e| loader.fault(Finding::new(study.name(), e)))?;

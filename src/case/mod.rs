@@ -13,7 +13,7 @@ pub mod values;
 
 pub use error::CaseError;
 pub use load::Case;
-pub use runner::{RunError, RunOptions, Summary, check_output, run};
+pub use runner::{RunError, RunOptions, Summary, check_output, run, staging_prefix};
 
 /// A commented case file to start from: what `groundwave new` writes.
 pub const TEMPLATE: &str = include_str!("template.toml");

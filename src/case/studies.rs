@@ -22,17 +22,25 @@ fn numbers(
         Range::List(ref list) => list.clone(),
         Range::Steps { from, to, step } => {
             if !(from.is_finite() && to.is_finite() && step.is_finite()) {
-                return Err(Finding::new(path, format!("range from {from} to {to} step {step}: all must be finite")));
+                return Err(Finding::new(
+                    path,
+                    format!("range from {from} to {to} step {step}: all must be finite"),
+                ));
             }
             if step <= 0.0 {
-                return Err(Finding::new(format!("{path}.step"), format!("step is {step} {unit}: it must be above zero")));
+                return Err(Finding::new(
+                    format!("{path}.step"),
+                    format!("step is {step} {unit}: it must be above zero"),
+                ));
             }
             if to < from {
-                return Err(Finding::new(path, format!("the range is reversed: from {from} to {to} {unit}")).help("swap from and to"));
+                return Err(Finding::new(path, format!("the range is reversed: from {from} to {to} {unit}"))
+                    .help("swap from and to"));
             }
             let count = ((to - from) / step + 1e-9).floor();
             if count >= MOST as f64 {
-                return Err(Finding::new(path, format!("the range has {count:.0} values, more than {MOST}")).help("use a larger step"));
+                return Err(Finding::new(path, format!("the range has {count:.0} values, more than {MOST}"))
+                    .help("use a larger step"));
             }
             (0..=count as usize).map(|i| from + step * i as f64).collect()
         }
@@ -43,7 +51,10 @@ fn numbers(
     for (i, value) in values.iter().enumerate() {
         if !(value.is_finite() && accept.0(*value)) {
             let path = if matches!(range, Range::List(_)) { format!("{path}[{i}]") } else { path.to_owned() };
-            return Err(Finding::new(path, format!("found {value} {unit}: it must be finite and {}", accept.1)));
+            return Err(Finding::new(
+                path,
+                format!("found {value} {unit}: it must be finite and {}", accept.1),
+            ));
         }
     }
     Ok(values)
@@ -65,17 +76,27 @@ fn speeds(range: &Range<Speed>, path: &str) -> Result<Vec<f64>, Finding> {
 
 fn ascending(values: &[f64], path: &str) -> Result<(), Finding> {
     match values.windows(2).position(|pair| pair[1] <= pair[0]) {
-        Some(i) => Err(Finding::new(format!("{path}[{}]", i + 1), format!("{} follows {}: the values must ascend", values[i + 1], values[i])).help("sort the list, each value once")),
+        Some(i) => Err(Finding::new(
+            format!("{path}[{}]", i + 1),
+            format!("{} follows {}: the values must ascend", values[i + 1], values[i]),
+        )
+        .help("sort the list, each value once")),
         None => Ok(()),
     }
 }
 
 fn span(input: SpanInput, path: &str) -> Result<(f64, f64), Finding> {
     if !(input.from.is_finite() && input.to.is_finite()) {
-        return Err(Finding::new(path, format!("from {} to {} m: both must be finite", input.from, input.to)));
+        return Err(Finding::new(
+            path,
+            format!("from {} to {} m: both must be finite", input.from, input.to),
+        ));
     }
     if input.to <= input.from {
-        return Err(Finding::new(path, format!("from {} to {} m: `to` must lie above `from`", input.from, input.to)));
+        return Err(Finding::new(
+            path,
+            format!("from {} to {} m: `to` must lie above `from`", input.from, input.to),
+        ));
     }
     Ok((input.from, input.to))
 }
@@ -89,26 +110,46 @@ fn positive(value: f64, path: &str, unit: &str) -> Result<f64, Finding> {
 }
 
 /// A record's CSV: a header line, then x′ [m] and deflection [m]; lines starting with # are comments.
-fn record(input: &MeasuredInput, path: &str, files: &dyn Fn(&str) -> Result<String, String>) -> Result<Record, Finding> {
+fn record(
+    input: &MeasuredInput,
+    path: &str,
+    files: &dyn Fn(&str) -> Result<String, String>,
+) -> Result<Record, Finding> {
     let at = format!("{path}.file");
-    let text = files(&input.file).map_err(|reason| Finding::new(&at, format!("cannot read \"{}\": {reason}", input.file)).help("the path is relative to the case file"))?;
-    let mut record = Record { speed: input.speed.0, label: input.label.clone(), x: Vec::new(), deflection: Vec::new() };
+    let text = files(&input.file).map_err(|reason| {
+        Finding::new(&at, format!("cannot read \"{}\": {reason}", input.file))
+            .help("the path is relative to the case file")
+    })?;
+    let mut record =
+        Record { speed: input.speed.0, label: input.label.clone(), x: Vec::new(), deflection: Vec::new() };
     let lines = text.lines().enumerate().filter(|(_, l)| !l.trim().is_empty() && !l.starts_with('#'));
     for (number, line) in lines.skip(1) {
-        let cells: Vec<f64> = line.split(',').filter_map(|c| c.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
+        let cells: Vec<f64> =
+            line.split(',').filter_map(|c| c.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
         let [x, deflection] = cells[..] else {
-            return Err(Finding::new(&at, format!("{}, line {}: found `{line}`, wanted two numbers: x′ [m], deflection [m]", input.file, number + 1)));
+            return Err(Finding::new(
+                &at,
+                format!(
+                    "{}, line {}: found `{line}`, wanted two numbers: x′ [m], deflection [m]",
+                    input.file,
+                    number + 1
+                ),
+            ));
         };
         record.x.push(x);
         record.deflection.push(deflection);
     }
     if record.x.is_empty() {
-        return Err(Finding::new(&at, format!("{} has no numbers", input.file)).help("a header line, then x′ [m], deflection [m]"));
+        return Err(Finding::new(&at, format!("{} has no numbers", input.file))
+            .help("a header line, then x′ [m], deflection [m]"));
     }
     Ok(record)
 }
 
-fn track_response(input: &TrackResponseInput, files: &dyn Fn(&str) -> Result<String, String>) -> Result<TrackResponse, Finding> {
+fn track_response(
+    input: &TrackResponseInput,
+    files: &dyn Fn(&str) -> Result<String, String>,
+) -> Result<TrackResponse, Finding> {
     let x = input.x.map(|x| span(x, "track_response.x")).transpose()?;
     let records = input
         .measured
@@ -128,7 +169,8 @@ fn contour(input: &ContourInput) -> Result<Contour, Finding> {
     let quantities = match &input.quantities {
         None => vec![Quantity::Vertical],
         Some(list) if list.is_empty() => {
-            return Err(Finding::new("contour.quantities", "the list is empty").help("allowed: vertical, vertical-velocity, along, across"));
+            return Err(Finding::new("contour.quantities", "the list is empty")
+                .help("allowed: vertical, vertical-velocity, along, across"));
         }
         Some(list) => list
             .iter()
@@ -153,7 +195,10 @@ fn contour(input: &ContourInput) -> Result<Contour, Finding> {
 }
 
 /// The studies a case asks for, in the order of this list.
-pub fn studies(input: &CaseInput, files: &dyn Fn(&str) -> Result<String, String>) -> Result<Vec<Study>, Finding> {
+pub fn studies(
+    input: &CaseInput,
+    files: &dyn Fn(&str) -> Result<String, String>,
+) -> Result<Vec<Study>, Finding> {
     let mut studies = Vec::new();
     if let Some(study) = &input.critical_speed {
         let values = speeds(&study.speeds, "critical_speed.speeds")?;

@@ -12,7 +12,8 @@ use crate::track::{Ballast, Ballasted, Link, Member, Slab, Stack, TrackError};
 /// The value of a key that this kind of track needs.
 fn need<'a, T>(value: &'a Option<T>, path: &str, key: &str, kind: &str) -> Result<&'a T, Finding> {
     value.as_ref().ok_or_else(|| {
-        Finding::new(path, format!("missing key `{key}`, needed by kind = \"{kind}\"")).help(format!("add `{key} = …`"))
+        Finding::new(path, format!("missing key `{key}`, needed by kind = \"{kind}\""))
+            .help(format!("add `{key} = …`"))
     })
 }
 
@@ -52,7 +53,13 @@ fn half_width(value: f64, path: &str) -> Result<f64, Finding> {
     if value.is_finite() && value > 0.0 {
         Ok(value)
     } else {
-        Err(Finding::new(path, format!("{} is {value} m: it must be finite and above zero", path.rsplit('.').next().unwrap_or(path))))
+        Err(Finding::new(
+            path,
+            format!(
+                "{} is {value} m: it must be finite and above zero",
+                path.rsplit('.').next().unwrap_or(path)
+            ),
+        ))
     }
 }
 
@@ -69,22 +76,34 @@ fn wave_speed(input: &BallastInput, young: f64, path: &str) -> Result<f64, Findi
         (Some(speed), None, None) => Ok(speed),
         (None, Some(density), poisson) => {
             if !(density.is_finite() && density > 0.0) {
-                return Err(Finding::new(format!("{path}.density"), format!("ballast density is {density} kg/m³: it must be finite and above zero")));
+                return Err(Finding::new(
+                    format!("{path}.density"),
+                    format!("ballast density is {density} kg/m³: it must be finite and above zero"),
+                ));
             }
             let nu = poisson.unwrap_or(0.0);
             if !(nu > -1.0 && nu < 0.5) {
-                return Err(Finding::new(format!("{path}.poisson"), format!("Poisson's ratio is {nu}: it must lie above -1 and below 0.5")));
+                return Err(Finding::new(
+                    format!("{path}.poisson"),
+                    format!("Poisson's ratio is {nu}: it must lie above -1 and below 0.5"),
+                ));
             }
             Ok((young * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu)) / density).sqrt())
         }
-        (Some(_), _, _) => Err(Finding::new(format!("{path}.wave_speed"), "the wave speed is given twice").help("give wave_speed, or density (with poisson for the constrained modulus)")),
-        (None, None, _) => Err(Finding::new(path, "the wave speed of the ballast is missing").help("give wave_speed, or density (with poisson for the constrained modulus)")),
+        (Some(_), _, _) => Err(Finding::new(format!("{path}.wave_speed"), "the wave speed is given twice")
+            .help("give wave_speed, or density (with poisson for the constrained modulus)")),
+        (None, None, _) => Err(Finding::new(path, "the wave speed of the ballast is missing")
+            .help("give wave_speed, or density (with poisson for the constrained modulus)")),
     }
 }
 
 fn ballast(input: &BallastInput, strip: Option<Strip>, path: &str) -> Result<Ballast, Finding> {
     let foreign: &[(&str, bool)] = match input.kind {
-        BallastKind::Bars => &[("stiffness", input.stiffness.is_some()), ("mass", input.mass.is_some()), ("damping", input.damping.is_some())],
+        BallastKind::Bars => &[
+            ("stiffness", input.stiffness.is_some()),
+            ("mass", input.mass.is_some()),
+            ("damping", input.damping.is_some()),
+        ],
         BallastKind::ConsistentMass => &[
             ("young", input.young.is_some()),
             ("height", input.height.is_some()),
@@ -95,17 +114,24 @@ fn ballast(input: &BallastInput, strip: Option<Strip>, path: &str) -> Result<Bal
         ],
     };
     let (kind, keys) = match input.kind {
-        BallastKind::Bars => ("bars", "young, height, alpha, wave_speed or density (and poisson), loss_factor"),
+        BallastKind::Bars => {
+            ("bars", "young, height, alpha, wave_speed or density (and poisson), loss_factor")
+        }
         BallastKind::ConsistentMass => ("consistent-mass", "stiffness, mass, damping, loss_factor"),
     };
     if let Some((key, _)) = foreign.iter().find(|(_, given)| *given) {
-        return Err(Finding::new(format!("{path}.{key}"), format!("ballast of kind = \"{kind}\" has no `{key}`")).help(format!("its keys: {keys}")));
+        return Err(Finding::new(
+            format!("{path}.{key}"),
+            format!("ballast of kind = \"{kind}\" has no `{key}`"),
+        )
+        .help(format!("its keys: {keys}")));
     }
     match input.kind {
         BallastKind::Bars => {
             let young = *need(&input.young, path, "young", kind)?;
             let Some(strip) = strip else {
-                return Err(Finding::new(path, "ballast bars need the contact width").help("add track.contact.half_width"));
+                return Err(Finding::new(path, "ballast bars need the contact width")
+                    .help("add track.contact.half_width"));
             };
             Ok(Ballast::Bars {
                 young,
@@ -129,7 +155,8 @@ fn load(input: &LoadInput, path: &str) -> Result<Contact, Finding> {
     match input.kind {
         LoadKind::Point => match (input.half_length, input.half_width, input.compatibility) {
             (None, None, None) => Ok(Contact::Point),
-            _ => Err(Finding::new(path, "a point load has no size").help("remove its size, or say kind = \"patch\"")),
+            _ => Err(Finding::new(path, "a point load has no size")
+                .help("remove its size, or say kind = \"patch\"")),
         },
         LoadKind::Patch => {
             let length = *need(&input.half_length, path, "half_length", "patch")?;
@@ -166,18 +193,23 @@ pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, 
         ("load", input.load.is_some()),
     ];
     if let Some((key, _)) = given.iter().find(|(key, given)| *given && !keys.contains(key)) {
-        return Err(Finding::new(at(key), format!("a track of kind = \"{kind}\" has no `{key}`")).help(format!("its keys: {}", keys.join(", "))));
+        return Err(Finding::new(at(key), format!("a track of kind = \"{kind}\" has no `{key}`"))
+            .help(format!("its keys: {}", keys.join(", "))));
     }
     if input.kind == TrackKind::None {
         if !on_ground {
-            return Err(Finding::new(at("kind"), "springs need a track on them").help("allowed with [foundation]: ballasted, slab, beam"));
+            return Err(Finding::new(at("kind"), "springs need a track on them")
+                .help("allowed with [foundation]: ballasted, slab, beam"));
         }
         let load_input = need(&input.load, path, "load", kind)?;
         return Ok((Stack::default(), load(load_input, &at("load"))?));
     }
     let strip = match (&input.contact, on_ground) {
         (Some(input), _) => Some(contact(input, &at("contact"))?),
-        (None, true) => return Err(Finding::new(path, "missing key `contact`: how the track touches the ground").help("add contact.half_width = … [m] and contact.compatibility = \"centre\" or \"mean\"")),
+        (None, true) => {
+            return Err(Finding::new(path, "missing key `contact`: how the track touches the ground")
+                .help("add contact.half_width = … [m] and contact.compatibility = \"centre\" or \"mean\""));
+        }
         (None, false) => None,
     };
     let rail = || beam(need(&input.rail, path, "rail", kind)?, &at("rail"));
@@ -187,13 +219,17 @@ pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, 
             let sleeper_mass = need(&input.sleeper, path, "sleeper", kind)?.mass;
             Member::mass(sleeper_mass).map_err(|e| fault(&at("sleeper"), &e))?;
             let ballast = ballast(need(&input.ballast, path, "ballast", kind)?, strip, &at("ballast"))?;
-            Ballasted { rail: rail()?, pad: pad()?, sleeper_mass, ballast }.stack().map_err(|e| fault(&at("ballast"), &e))?
+            Ballasted { rail: rail()?, pad: pad()?, sleeper_mass, ballast }
+                .stack()
+                .map_err(|e| fault(&at("ballast"), &e))?
         }
         TrackKind::Slab => {
             let slab = beam(need(&input.slab, path, "slab", kind)?, &at("slab"))?;
             Slab { rail: rail()?, pad: pad()?, slab }.stack()
         }
-        TrackKind::Beam => Stack::new(vec![beam(need(&input.beam, path, "beam", kind)?, &at("beam"))?], vec![]),
+        TrackKind::Beam => {
+            Stack::new(vec![beam(need(&input.beam, path, "beam", kind)?, &at("beam"))?], vec![])
+        }
         TrackKind::None => Stack::default(),
     };
     // on springs the contact width means nothing; a strip keeps the type simple

@@ -24,9 +24,12 @@ fn parse_speed(text: &str) -> Result<f64, String> {
     let factor = match unit {
         "km/h" => 1.0 / 3.6,
         "m/s" => 1.0,
-        other => return Err(format!("unknown unit of speed `{other}`, allowed: m/s, km/h (as in \"250 km/h\")")),
+        other => {
+            return Err(format!("unknown unit of speed `{other}`, allowed: m/s, km/h (as in \"250 km/h\")"));
+        }
     };
-    let value: f64 = number.parse().map_err(|_| format!("`{number}` is not a number (write \"250 km/h\")"))?;
+    let value: f64 =
+        number.parse().map_err(|_| format!("`{number}` is not a number (write \"250 km/h\")"))?;
     Ok(value * factor)
 }
 

@@ -32,12 +32,7 @@ pub(super) struct Ticks {
 
 impl Scale {
     pub fn new((lo, hi): (f64, f64), log: bool, pixels: (f64, f64)) -> Self {
-        Self {
-            lo,
-            hi,
-            log,
-            pixels,
-        }
+        Self { lo, hi, log, pixels }
     }
 
     /// The pixel of `value`.
@@ -49,21 +44,13 @@ impl Scale {
 
     /// The same stretch of pixels in other units: value × `factor`.
     pub fn times(&self, factor: f64) -> Self {
-        Self {
-            lo: self.lo * factor,
-            hi: self.hi * factor,
-            ..*self
-        }
+        Self { lo: self.lo * factor, hi: self.hi * factor, ..*self }
     }
 
     /// Ticks at 1, 2 or 5 times a power of ten, about `count` of them.
     pub fn ticks(&self, count: usize) -> Ticks {
         let (lo, hi) = (self.lo.min(self.hi), self.lo.max(self.hi));
-        if self.log {
-            log_ticks(lo, hi)
-        } else {
-            linear_ticks(lo, hi, count)
-        }
+        if self.log { log_ticks(lo, hi) } else { linear_ticks(lo, hi, count) }
     }
 }
 
@@ -86,11 +73,7 @@ fn linear_ticks(lo: f64, hi: f64, count: usize) -> Ticks {
     let first = (lo / step - 1e-9).ceil() as i64;
     let last = (hi / step + 1e-9).floor() as i64;
     let size = lo.abs().max(hi.abs());
-    let exponent = if PLAIN.contains(&size) {
-        0
-    } else {
-        3 * (size.log10() / 3.0).floor() as i32
-    };
+    let exponent = if PLAIN.contains(&size) { 0 } else { 3 * (size.log10() / 3.0).floor() as i32 };
     let unit = 10f64.powi(exponent);
     let decimals = (-((step / unit).log10() + 1e-9).floor()).max(0.0) as usize;
     let major = (first..=last)
@@ -100,11 +83,7 @@ fn linear_ticks(lo: f64, hi: f64, count: usize) -> Ticks {
             Tick { value, label }
         })
         .collect();
-    Ticks {
-        major,
-        minor: Vec::new(),
-        exponent,
-    }
+    Ticks { major, minor: Vec::new(), exponent }
 }
 
 fn log_ticks(lo: f64, hi: f64) -> Ticks {
@@ -114,11 +93,7 @@ fn log_ticks(lo: f64, hi: f64) -> Ticks {
     let labelled: &[i32] = if decades < 2.5 { &[1, 2, 5] } else { &[1] };
     // Over many decades every second or third power is enough.
     let stride = (decades / 8.0).ceil().max(1.0) as i32;
-    let mut ticks = Ticks {
-        major: Vec::new(),
-        minor: Vec::new(),
-        exponent: 0,
-    };
+    let mut ticks = Ticks { major: Vec::new(), minor: Vec::new(), exponent: 0 };
     for power in first..=last {
         for digit in 1..10 {
             let value = f64::from(digit) * 10f64.powi(power);
@@ -145,10 +120,7 @@ fn log_ticks(lo: f64, hi: f64) -> Ticks {
 /// `n` in superscript digits.
 pub(super) fn superscript(n: i32) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    n.to_string()
-        .chars()
-        .map(|c| c.to_digit(10).map_or('⁻', |d| DIGITS[d as usize]))
-        .collect()
+    n.to_string().chars().map(|c| c.to_digit(10).map_or('⁻', |d| DIGITS[d as usize])).collect()
 }
 
 /// A true minus sign, and none before a zero.
@@ -171,14 +143,8 @@ mod tests {
     #[test]
     fn linear_ticks_are_one_two_five() {
         let ticks = |lo, hi| Scale::new((lo, hi), false, (0.0, 1.0)).ticks(6);
-        assert_eq!(
-            labels(&ticks(0.0, 1.0)),
-            ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]
-        );
-        assert_eq!(
-            labels(&ticks(-0.3, 0.25)),
-            ["−0.3", "−0.2", "−0.1", "0.0", "0.1", "0.2"]
-        );
+        assert_eq!(labels(&ticks(0.0, 1.0)), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
+        assert_eq!(labels(&ticks(-0.3, 0.25)), ["−0.3", "−0.2", "−0.1", "0.0", "0.1", "0.2"]);
         assert_eq!(labels(&ticks(10.0, 200.0)), ["50", "100", "150", "200"]);
     }
 
@@ -196,19 +162,13 @@ mod tests {
         assert_eq!(labels(&bands), ["1", "2", "5", "10", "20", "50"]);
         assert!(bands.minor.contains(&30.0));
         let spectrum = Scale::new((1e-12, 1e-8), true, (0.0, 1.0)).ticks(6);
-        assert_eq!(
-            labels(&spectrum),
-            ["10⁻¹²", "10⁻¹¹", "10⁻¹⁰", "10⁻⁹", "10⁻⁸"]
-        );
+        assert_eq!(labels(&spectrum), ["10⁻¹²", "10⁻¹¹", "10⁻¹⁰", "10⁻⁹", "10⁻⁸"]);
     }
 
     #[test]
     fn scales_meet_their_ends() {
         let scale = Scale::new((1.0, 100.0), true, (10.0, 30.0));
-        assert_eq!(
-            (scale.at(1.0), scale.at(10.0), scale.at(100.0)),
-            (10.0, 20.0, 30.0)
-        );
+        assert_eq!((scale.at(1.0), scale.at(10.0), scale.at(100.0)), (10.0, 20.0, 30.0));
         let kmh = Scale::new((10.0, 60.0), false, (0.0, 100.0)).times(3.6);
         assert_eq!(kmh.at(36.0), 0.0);
         assert_eq!(kmh.at(216.0), 100.0);

@@ -61,11 +61,7 @@ pub(super) struct Pen {
 
 impl Pen {
     pub fn solid(colour: Rgb, width: f64) -> Self {
-        Self {
-            colour,
-            width,
-            dash: None,
-        }
+        Self { colour, width, dash: None }
     }
 }
 
@@ -131,11 +127,7 @@ impl Canvas {
         let (page, width) = (self.scene.width, text_width(text, TITLE));
         let fit = ((page - 20.0) / width).min(1.0);
         let size = ((f64::from(TITLE) * fit) as u32).max(TICK);
-        let middle = if width < frame.width() {
-            0.5 * (frame.left + frame.right)
-        } else {
-            0.5 * page
-        };
+        let middle = if width < frame.width() { 0.5 * (frame.left + frame.right) } else { 0.5 * page };
         self.text((middle, 30.0), text, size, Anchor::Middle);
     }
 
@@ -144,14 +136,7 @@ impl Canvas {
         self.put_text(at, text, size, Anchor::Middle, Some(-90.0));
     }
 
-    fn put_text(
-        &mut self,
-        (x, y): Point,
-        text: &str,
-        size: u32,
-        anchor: Anchor,
-        rotate: Option<f64>,
-    ) {
+    fn put_text(&mut self, (x, y): Point, text: &str, size: u32, anchor: Anchor, rotate: Option<f64>) {
         self.scene.add(Primitive::Text {
             x,
             y,
@@ -177,11 +162,7 @@ impl Canvas {
 
     /// Ticks outward, tick labels and the axis label, below (`above` = false) or above the frame.
     pub fn x_axis(&mut self, frame: Area, scale: Scale, ticks: &Ticks, label: &str, above: bool) {
-        let (edge, outward) = if above {
-            (frame.top, -1.0)
-        } else {
-            (frame.bottom, 1.0)
-        };
+        let (edge, outward) = if above { (frame.top, -1.0) } else { (frame.bottom, 1.0) };
         let pen = Pen::solid(INK, 1.2);
         for &value in &ticks.minor {
             let x = scale.at(value);
@@ -201,11 +182,7 @@ impl Canvas {
 
     /// Ticks outward, tick labels and the axis label, left of the frame (`right` = false) or right of it.
     pub fn y_axis(&mut self, frame: Area, scale: Scale, ticks: &Ticks, label: &str, right: bool) {
-        let (edge, outward) = if right {
-            (frame.right, 1.0)
-        } else {
-            (frame.left, -1.0)
-        };
+        let (edge, outward) = if right { (frame.right, 1.0) } else { (frame.left, -1.0) };
         let pen = Pen::solid(INK, 1.2);
         for &value in &ticks.minor {
             let y = scale.at(value);
@@ -219,11 +196,7 @@ impl Canvas {
         }
         // The label reads upward: its baseline is on its right, so it needs more room on the right of a frame.
         let away = 24.0 + label_room(ticks);
-        let x = if right {
-            edge + away + 11.0
-        } else {
-            edge - away
-        };
+        let x = if right { edge + away + 11.0 } else { edge - away };
         let middle = 0.5 * (frame.top + frame.bottom);
         self.upright_text((x, middle), &with_power(label, ticks.exponent), LABEL);
     }
@@ -241,9 +214,7 @@ impl Canvas {
     }
 
     pub fn svg(&self) -> String {
-        let svg = SvgBackend::new()
-            .with_pretty(true)
-            .render_scene(&self.scene);
+        let svg = SvgBackend::new().with_pretty(true).render_scene(&self.scene);
         // Without a viewBox the picture cannot be scaled to a page.
         let (width, height) = (self.scene.width, self.scene.height);
         let view = format!(r#"<svg viewBox="0 0 {width} {height}" "#);
@@ -268,9 +239,7 @@ fn with_power(label: &str, exponent: i32) -> String {
     if exponent == 0 {
         return label.to_owned();
     }
-    let unit = label
-        .strip_suffix(']')
-        .and_then(|head| head.rsplit_once('['));
+    let unit = label.strip_suffix(']').and_then(|head| head.rsplit_once('['));
     match unit {
         Some((name, "-" | "1" | "–")) => format!("{name}[10{}]", superscript(exponent)),
         Some((name, unit)) => format!("{name}[10{} {unit}]", superscript(exponent)),
@@ -288,8 +257,8 @@ pub(super) fn label_room(ticks: &Ticks) -> f64 {
 /// Width of a text [px], a little generous: enough to keep boxes and margins clear of it.
 pub(super) fn text_width(text: &str, size: u32) -> f64 {
     let em = |c: char| match c {
-        ' ' | '.' | ',' | ':' | ';' | '|' | '\'' | 'i' | 'j' | 'l' | 'I' | 't' | 'f' | '('
-        | ')' | '[' | ']' | '/' | '·' => 0.39,
+        ' ' | '.' | ',' | ':' | ';' | '|' | '\'' | 'i' | 'j' | 'l' | 'I' | 't' | 'f' | '(' | ')' | '['
+        | ']' | '/' | '·' => 0.39,
         'm' | 'w' | 'M' | 'W' | '×' | '−' | '+' | '=' | '–' => 0.92,
         '⁰' | '¹' | '²' | '³' | '⁴' | '⁵' | '⁶' | '⁷' | '⁸' | '⁹' | '⁻' => 0.42,
         c if c.is_uppercase() => 0.72,

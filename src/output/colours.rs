@@ -15,15 +15,8 @@ pub(super) const FAINT: Rgb = [228, 228, 228];
 pub(super) const MISSING: Rgb = [190, 190, 190];
 
 /// Okabe & Ito (2008), Color universal design; its yellow is left out, being too light for a line.
-const CURVES: [Rgb; 7] = [
-    [0, 114, 178],
-    [213, 94, 0],
-    [0, 158, 115],
-    [204, 121, 167],
-    [86, 180, 233],
-    [230, 159, 0],
-    [0, 0, 0],
-];
+const CURVES: [Rgb; 7] =
+    [[0, 114, 178], [213, 94, 0], [0, 158, 115], [204, 121, 167], [86, 180, 233], [230, 159, 0], [0, 0, 0]];
 
 /// `vik`: Crameri (2018), Scientific colour maps, doi 10.5281/zenodo.1243862, sampled at 33 equal steps.
 #[rustfmt::skip]
@@ -76,9 +69,7 @@ mod tests {
 
     #[test]
     fn the_sequential_map_brightens_all_the_way() {
-        let lights: Vec<_> = (0..=20)
-            .map(|i| light(sequential(f64::from(i) / 20.0)))
-            .collect();
+        let lights: Vec<_> = (0..=20).map(|i| light(sequential(f64::from(i) / 20.0))).collect();
         assert!(lights.windows(2).all(|w| w[1] > w[0]), "{lights:?}");
     }
 

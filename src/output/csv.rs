@@ -30,16 +30,9 @@ const MATRIX_ABOVE: usize = 200_000;
 /// Accuracy: numbers are the shortest that read back to the same bits; NaN and infinities are `NaN`, `Inf`, `-Inf`.
 pub fn write(group: &Group, dir: &Path) -> Result<Vec<PathBuf>, OutputError> {
     let mut files = Vec::new();
-    let scalars: Vec<_> = group
-        .variables
-        .iter()
-        .filter(|v| v.dims.is_empty())
-        .collect();
+    let scalars: Vec<_> = group.variables.iter().filter(|v| v.dims.is_empty()).collect();
     if !scalars.is_empty() {
-        files.push((
-            format!("{}_scalars.csv", group.name),
-            scalar_table(group, &scalars),
-        ));
+        files.push((format!("{}_scalars.csv", group.name), scalar_table(group, &scalars)));
     }
     let (fields, small): (Vec<_>, Vec<_>) = group
         .variables
@@ -56,10 +49,7 @@ pub fn write(group: &Group, dir: &Path) -> Result<Vec<PathBuf>, OutputError> {
         files.push((name, long_table(group, members)));
     }
     for field in fields {
-        files.push((
-            format!("{}_{}_matrix.csv", group.name, field.name),
-            matrix(group, field),
-        ));
+        files.push((format!("{}_{}_matrix.csv", group.name, field.name), matrix(group, field)));
     }
     files
         .into_iter()
@@ -85,8 +75,7 @@ fn share_dimensions<'a>(small: &[&'a Variable], fields: &[&Variable]) -> Vec<Vec
     let elsewhere = |table: &[&Variable]| {
         let dimension = &table[0].name;
         let data = small.iter().chain(fields);
-        data.filter(|v| !v.is_coordinate() && !v.values.is_empty())
-            .any(|v| v.dims.contains(dimension))
+        data.filter(|v| !v.is_coordinate() && !v.values.is_empty()).any(|v| v.dims.contains(dimension))
     };
     tables.retain(|t| !(alone(t) && elsewhere(t)));
     tables
@@ -119,13 +108,8 @@ fn scalar_table(group: &Group, scalars: &[&Variable]) -> String {
     for variable in scalars {
         let values: Vec<_> = variable.values.iter().map(|&v| number(v)).collect();
         let description = cell(&variable.long_name);
-        let _ = writeln!(
-            text,
-            "{},{},{},{description}",
-            variable.name,
-            values.join(" "),
-            cell(&variable.units)
-        );
+        let _ =
+            writeln!(text, "{},{},{},{description}", variable.name, values.join(" "), cell(&variable.units));
     }
     text
 }
@@ -139,20 +123,10 @@ fn long_table(group: &Group, members: &[&Variable]) -> String {
         .zip(shape)
         .map(|(dimension, &length)| Axis::new(group, dimension, length))
         .collect();
-    let data: Vec<_> = members
-        .iter()
-        .copied()
-        .filter(|v| !v.is_coordinate())
-        .collect();
-    let described = axes
-        .iter()
-        .filter_map(|a| a.variable)
-        .chain(data.iter().copied());
+    let data: Vec<_> = members.iter().copied().filter(|v| !v.is_coordinate()).collect();
+    let described = axes.iter().filter_map(|a| a.variable).chain(data.iter().copied());
     let mut text = comments(group, &described.collect::<Vec<_>>());
-    let headings = axes
-        .iter()
-        .map(|a| a.heading.clone())
-        .chain(data.iter().map(|v| heading(v)));
+    let headings = axes.iter().map(|a| a.heading.clone()).chain(data.iter().map(|v| heading(v)));
     text.push_str(&headings.map(|h| cell(&h)).collect::<Vec<_>>().join(","));
     text.push('\n');
     // Iterators run in row-major order, whatever the memory order.
@@ -163,11 +137,7 @@ fn long_table(group: &Group, members: &[&Variable]) -> String {
             let _ = write!(text, "{comma}{}", number(axis.values[*i]));
         }
         for column in &mut columns {
-            let _ = write!(
-                text,
-                ",{}",
-                number(column.next().copied().unwrap_or(f64::NAN))
-            );
+            let _ = write!(text, ",{}", number(column.next().copied().unwrap_or(f64::NAN)));
         }
         text.push('\n');
     }
@@ -206,15 +176,11 @@ struct Axis<'a> {
 
 impl<'a> Axis<'a> {
     fn new(group: &'a Group, dimension: &str, length: usize) -> Self {
-        let coordinate = group
-            .get(dimension)
-            .filter(|v| v.is_coordinate() && v.values.len() == length);
+        let coordinate = group.get(dimension).filter(|v| v.is_coordinate() && v.values.len() == length);
         match coordinate {
-            Some(variable) => Self {
-                heading: heading(variable),
-                values: variable.to_vec(),
-                variable: Some(variable),
-            },
+            Some(variable) => {
+                Self { heading: heading(variable), values: variable.to_vec(), variable: Some(variable) }
+            }
             None => Self {
                 heading: format!("{dimension} [index]"),
                 values: (0..length).map(|i| i as f64).collect(),
@@ -272,24 +238,10 @@ mod tests {
         let down = [1e300, -4.9e-324, f64::INFINITY];
         let group = Group::new("critical_speed")
             .coordinate("speed", &speed, "m s-1", "Train speed")
-            .variable(
-                "max_down",
-                &["speed"],
-                arr1(&down).into_dyn(),
-                "m",
-                "Largest deflection",
-            )
-            .scalar(
-                "amplification",
-                3.5,
-                "1",
-                "Dynamic over static, of the rail",
-            );
+            .variable("max_down", &["speed"], arr1(&down).into_dyn(), "m", "Largest deflection")
+            .scalar("amplification", 3.5, "1", "Dynamic over static, of the rail");
         let paths = write(&group, dir.path()).unwrap();
-        assert_eq!(
-            names(&paths),
-            ["critical_speed_scalars.csv", "critical_speed.csv"]
-        );
+        assert_eq!(names(&paths), ["critical_speed_scalars.csv", "critical_speed.csv"]);
         let table = rows(&paths[1]);
         assert_eq!(table[0], ["speed [m s-1]", "max_down [m]"]);
         for (row, (s, d)) in table[1..].iter().zip(speed.iter().zip(&down)) {
@@ -306,29 +258,11 @@ mod tests {
         let ground = Array2::from_shape_fn((2, 3), |(i, j)| (10 * i + j) as f64).into_dyn();
         let group = Group::new("receptance")
             .coordinate("frequency", &[1.0, 2.0, 3.0], "Hz", "Frequency")
-            .variable(
-                "rail_re",
-                &["frequency"],
-                arr1(&[4.0, 5.0, 6.0]).into_dyn(),
-                "m N-1",
-                "Rail",
-            )
+            .variable("rail_re", &["frequency"], arr1(&[4.0, 5.0, 6.0]).into_dyn(), "m N-1", "Rail")
             .coordinate("receiver", &[8.0, 16.0], "m", "Distance")
-            .variable(
-                "ground_re",
-                &["receiver", "frequency"],
-                ground,
-                "m N-1",
-                "Ground",
-            );
+            .variable("ground_re", &["receiver", "frequency"], ground, "m N-1", "Ground");
         let paths = write(&group, dir.path()).unwrap();
-        assert_eq!(
-            names(&paths),
-            [
-                "receptance_frequency.csv",
-                "receptance_receiver_frequency.csv"
-            ]
-        );
+        assert_eq!(names(&paths), ["receptance_frequency.csv", "receptance_receiver_frequency.csv"]);
         let long = rows(&paths[1]);
         assert_eq!(long.len(), 7);
         assert_eq!(long[6], ["16", "3", "12"]);
@@ -340,13 +274,7 @@ mod tests {
         let group = Group::new("dispersion")
             .coordinate("frequency", &[3.0], "Hz", "Frequency")
             .coordinate("mode", &[], "1", "No mode found")
-            .variable(
-                "c",
-                &["frequency", "mode"],
-                Array2::zeros((1, 0)).into_dyn(),
-                "m s-1",
-                "c",
-            );
+            .variable("c", &["frequency", "mode"], Array2::zeros((1, 0)).into_dyn(), "m s-1", "c");
         let paths = write(&group, dir.path()).unwrap();
         assert_eq!(names(&paths)[0], "dispersion_frequency.csv");
         assert_eq!(rows(&paths[0]), [["frequency [Hz]"], ["3"]]);

@@ -34,9 +34,7 @@ pub(super) fn thin_out(points: Vec<Point>) -> Vec<Point> {
     let last = points.len().saturating_sub(1);
     let mut kept: Vec<Point> = Vec::new();
     for (index, point) in points.into_iter().enumerate() {
-        let far = kept
-            .last()
-            .is_none_or(|k: &Point| (k.0 - point.0).hypot(k.1 - point.1) > 0.33);
+        let far = kept.last().is_none_or(|k: &Point| (k.0 - point.0).hypot(k.1 - point.1) > 0.33);
         if far || index == last {
             kept.push(point);
         }
@@ -46,11 +44,8 @@ pub(super) fn thin_out(points: Vec<Point>) -> Vec<Point> {
 
 /// The ranges of both axes: x as the data have it, y with a margin; none if nothing can be shown.
 pub(super) fn ranges(figure: &LineFigure) -> Option<((f64, f64), (f64, f64))> {
-    let points: Vec<Point> = figure
-        .series
-        .iter()
-        .flat_map(|s| runs(s, figure).into_iter().flatten())
-        .collect();
+    let points: Vec<Point> =
+        figure.series.iter().flat_map(|s| runs(s, figure).into_iter().flatten()).collect();
     let marks = marks(figure).map(|(x, _)| x);
     let x = bounds(points.iter().map(|p| p.0).chain(marks))?;
     let y = bounds(points.iter().map(|p| p.1))?;
@@ -58,19 +53,14 @@ pub(super) fn ranges(figure: &LineFigure) -> Option<((f64, f64), (f64, f64))> {
     // Room at the ends of the vertical marks for their labels.
     let y_margin = if figure.marks.is_empty() { 0.06 } else { 0.1 };
     let x_margin = if has_markers { 0.02 } else { 0.0 };
-    Some((
-        widen(x, figure.log_x, x_margin, false),
-        widen(y, figure.log_y, y_margin, true),
-    ))
+    Some((widen(x, figure.log_x, x_margin, false), widen(y, figure.log_y, y_margin, true)))
 }
 
 fn bounds(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
-    values
-        .filter(|v| v.is_finite())
-        .fold(None, |sofar, v| match sofar {
-            None => Some((v, v)),
-            Some((lo, hi)) => Some((lo.min(v), hi.max(v))),
-        })
+    values.filter(|v| v.is_finite()).fold(None, |sofar, v| match sofar {
+        None => Some((v, v)),
+        Some((lo, hi)) => Some((lo.min(v), hi.max(v))),
+    })
 }
 
 /// A range with a margin on both sides, never empty; from zero if the values begin near it and `from_zero`.

@@ -41,8 +41,7 @@ pub fn write(dataset: &Dataset, path: &Path) -> Result<(), OutputError> {
             }
         };
         let file = H5File::create(aside).map_err(failed("the file"))?;
-        write_attributes(&file.root_group(), &dataset.attributes)
-            .map_err(failed("the root attributes"))?;
+        write_attributes(&file.root_group(), &dataset.attributes).map_err(failed("the root attributes"))?;
         for group in &dataset.groups {
             write_group(&file, group).map_err(failed(&format!("the group {}", group.name)))?;
         }
@@ -50,13 +49,19 @@ pub fn write(dataset: &Dataset, path: &Path) -> Result<(), OutputError> {
     })
 }
 
+/// The text attribute `name` of the file at `path`.
+///
+/// # Errors
+/// What the library says if the file or the attribute cannot be read.
+pub fn read_text_attribute(path: &Path, name: &str) -> Result<String, String> {
+    let file = H5File::open(path).map_err(|e| e.to_string())?;
+    file.attr_string(name).map_err(|e| format!("no attribute {name}: {e}"))
+}
+
 fn check_dimensions(group: &Group, path: &Path) -> Result<(), OutputError> {
     for variable in &group.variables {
         for (dimension, &found) in variable.dims.iter().zip(variable.values.shape()) {
-            let expected = group
-                .get(dimension)
-                .filter(|v| v.is_coordinate())
-                .map(|v| v.values.len());
+            let expected = group.get(dimension).filter(|v| v.is_coordinate()).map(|v| v.values.len());
             if expected != Some(found) {
                 return Err(OutputError::Dimension {
                     path: path.to_owned(),
@@ -76,8 +81,7 @@ fn write_group(file: &H5File, group: &Group) -> Result<(), Hdf5Error> {
     let place = file.create_group(&group.name)?;
     write_attributes(&place, &group.attributes)?;
     let mut scales = BTreeMap::new();
-    let (coordinates, data): (Vec<_>, Vec<_>) =
-        group.variables.iter().partition(|v| v.is_coordinate());
+    let (coordinates, data): (Vec<_>, Vec<_>) = group.variables.iter().partition(|v| v.is_coordinate());
     for coordinate in coordinates {
         let stored = write_variable(&place, coordinate)?;
         stored.set_scale(Some(&coordinate.name))?;
@@ -101,10 +105,7 @@ fn write_variable(place: &H5Group, variable: &Variable) -> Result<H5Dataset, Hdf
     let builder = if shape.is_empty() {
         builder.scalar()
     } else if variable.values.len() > COMPRESS_ABOVE {
-        builder
-            .shape(shape)
-            .chunk(&chunk_of(shape))
-            .shuffle_deflate(1)
+        builder.shape(shape).chunk(&chunk_of(shape)).shuffle_deflate(1)
     } else {
         builder.shape(shape)
     };
@@ -114,10 +115,7 @@ fn write_variable(place: &H5Group, variable: &Variable) -> Result<H5Dataset, Hdf
     if !values.is_empty() {
         stored.write_raw(&values)?;
     }
-    for (name, text) in [
-        ("units", &variable.units),
-        ("long_name", &variable.long_name),
-    ] {
+    for (name, text) in [("units", &variable.units), ("long_name", &variable.long_name)] {
         let attribute = stored.new_attr::<VarLenUnicode>().shape(()).create(name)?;
         attribute.write_string(text)?;
     }
@@ -170,13 +168,7 @@ mod tests {
                 Group::new("track_response")
                     .coordinate("speed", &speed, "m s-1", "Train speed")
                     .coordinate("x", &x, "m", "Distance ahead of the load")
-                    .variable(
-                        "rail",
-                        &["speed", "x"],
-                        rail.into_dyn(),
-                        "m",
-                        "Rail, positive down",
-                    )
+                    .variable("rail", &["speed", "x"], rail.into_dyn(), "m", "Rail, positive down")
                     .scalar("critical_speed", 136.7, "m s-1", "Critical speed")
                     .attribute("damping", 0.03),
                 Group::new("dispersion").coordinate("mode", &[], "1", "No mode found"),
@@ -195,9 +187,7 @@ mod tests {
         assert_eq!(file.attr_string("case").unwrap().len(), 7 * 20_000);
         for group in &dataset.groups {
             for variable in &group.variables {
-                let stored = file
-                    .dataset(&format!("{}/{}", group.name, variable.name))
-                    .unwrap();
+                let stored = file.dataset(&format!("{}/{}", group.name, variable.name)).unwrap();
                 assert_eq!(stored.shape(), variable.values.shape());
                 assert_eq!(stored.read_raw::<f64>().unwrap(), variable.to_vec());
                 let units = stored.attr("units").unwrap().read_string().unwrap();
@@ -208,10 +198,7 @@ mod tests {
         assert!(rail.is_chunked());
         assert!(rail.attr("DIMENSION_LIST").is_ok());
         let x = file.dataset("track_response/x").unwrap();
-        assert_eq!(
-            x.attr("CLASS").unwrap().read_string().unwrap(),
-            "DIMENSION_SCALE"
-        );
+        assert_eq!(x.attr("CLASS").unwrap().read_string().unwrap(), "DIMENSION_SCALE");
         assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
     }
 
@@ -220,24 +207,10 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("results.h5");
         let values = ndarray::arr1(&[1.0, 2.0]).into_dyn();
-        let group = Group::new("g").coordinate("x", &[0.0], "m", "x").variable(
-            "u",
-            &["x"],
-            values,
-            "m",
-            "u",
-        );
-        let dataset = Dataset {
-            groups: vec![group],
-            ..Dataset::default()
-        };
+        let group = Group::new("g").coordinate("x", &[0.0], "m", "x").variable("u", &["x"], values, "m", "u");
+        let dataset = Dataset { groups: vec![group], ..Dataset::default() };
         let error = write(&dataset, &path).unwrap_err();
-        assert!(
-            error
-                .to_string()
-                .contains("`x` has 2 values, the coordinate has 1"),
-            "{error}"
-        );
+        assert!(error.to_string().contains("`x` has 2 values, the coordinate has 1"), "{error}");
         assert!(!path.exists());
     }
 

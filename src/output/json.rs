@@ -12,10 +12,7 @@ use std::path::Path;
 /// [`OutputError::NotFinite`] naming the first key that is null; [`OutputError::Write`] if the file cannot be written.
 pub fn write(value: &Value, path: &Path) -> Result<(), OutputError> {
     if let Some(key) = null_key(value) {
-        return Err(OutputError::NotFinite {
-            path: path.to_owned(),
-            key,
-        });
+        return Err(OutputError::NotFinite { path: path.to_owned(), key });
     }
     write_bytes(path, format!("{value:#}\n").as_bytes())
 }
@@ -24,22 +21,17 @@ pub fn write(value: &Value, path: &Path) -> Result<(), OutputError> {
 fn null_key(value: &Value) -> Option<String> {
     match value {
         Value::Null => Some(String::new()),
-        Value::Array(items) => items.iter().enumerate().find_map(|(index, item)| {
-            null_key(item).map(|rest| join(&format!("[{index}]"), &rest))
-        }),
-        Value::Object(map) => map
+        Value::Array(items) => items
             .iter()
-            .find_map(|(key, item)| null_key(item).map(|rest| join(key, &rest))),
+            .enumerate()
+            .find_map(|(index, item)| null_key(item).map(|rest| join(&format!("[{index}]"), &rest))),
+        Value::Object(map) => map.iter().find_map(|(key, item)| null_key(item).map(|rest| join(key, &rest))),
         _ => None,
     }
 }
 
 fn join(head: &str, rest: &str) -> String {
-    let dot = if rest.is_empty() || rest.starts_with('[') {
-        ""
-    } else {
-        "."
-    };
+    let dot = if rest.is_empty() || rest.starts_with('[') { "" } else { "." };
     format!("{head}{dot}{rest}")
 }
 
@@ -56,10 +48,7 @@ mod tests {
         write(&value, &path).unwrap();
         let text = std::fs::read_to_string(&path).unwrap();
         assert_eq!(serde_json::from_str::<Value>(&text).unwrap(), value);
-        assert!(
-            text.contains("\n  \"speed\": 0.30000000000000004"),
-            "{text}"
-        );
+        assert!(text.contains("\n  \"speed\": 0.30000000000000004"), "{text}");
     }
 
     #[test]

@@ -33,12 +33,8 @@ pub(super) fn draw(figure: &LineFigure) -> Result<Canvas, OutputError> {
         plan_taken = plan(spots.legend.width() + 6.0);
         spots = plan_taken.spots(figure);
         let (left, top) = (plan_taken.frame.right + 6.0, plan_taken.frame.top);
-        spots.legend = Area {
-            left,
-            top,
-            right: left + spots.legend.width(),
-            bottom: top + spots.legend.height(),
-        };
+        spots.legend =
+            Area { left, top, right: left + spots.legend.width(), bottom: top + spots.legend.height() };
     }
     Ok(plan_taken.draw(figure, &spots))
 }
@@ -61,22 +57,14 @@ impl Plan {
     fn new(figure: &LineFigure, x: (f64, f64), y: (f64, f64), room_right: f64) -> Self {
         let pixels = (HEIGHT, 0.0);
         let labels = Scale::new(y, figure.log_y, pixels).ticks(7);
-        let top = if figure.second_x.is_some() {
-            104.0
-        } else {
-            52.0
-        };
+        let top = if figure.second_x.is_some() { 104.0 } else { 52.0 };
         let frame = Area {
             left: (label_room(&labels) + 46.0).round(),
             top,
             right: WIDTH - 26.0 - room_right.round(),
             bottom: top + HEIGHT,
         };
-        let (low, high) = if figure.y_down {
-            (frame.top, frame.bottom)
-        } else {
-            (frame.bottom, frame.top)
-        };
+        let (low, high) = if figure.y_down { (frame.top, frame.bottom) } else { (frame.bottom, frame.top) };
         Self {
             frame,
             x: Scale::new(x, figure.log_x, (frame.left, frame.right)),
@@ -96,10 +84,7 @@ impl Plan {
         let white = Some([255; 3]);
         for (value, _) in marks(figure) {
             let x = self.x.at(value);
-            let pen = Pen {
-                dash: Some((2.5, 3.5)),
-                ..Pen::solid(GREY, 1.6)
-            };
+            let pen = Pen { dash: Some((2.5, 3.5)), ..Pen::solid(GREY, 1.6) };
             canvas.line((x, frame.top), (x, frame.bottom), pen);
         }
         for (index, series) in figure.series.iter().enumerate() {
@@ -131,18 +116,8 @@ impl Plan {
                     Stroke::Points => vec![(left + 0.5 * SAMPLE, y)],
                     Stroke::Solid | Stroke::Dashed => vec![(left, y), (left + SAMPLE, y)],
                 };
-                stroke(
-                    &mut canvas,
-                    ends,
-                    series.stroke,
-                    curve(index, figure.series.len()),
-                );
-                canvas.text(
-                    (left + SAMPLE + 9.0, y + 5.0),
-                    &series.name,
-                    TICK,
-                    Anchor::Start,
-                );
+                stroke(&mut canvas, ends, series.stroke, curve(index, figure.series.len()));
+                canvas.text((left + SAMPLE + 9.0, y + 5.0), &series.name, TICK, Anchor::Start);
             }
         }
         canvas
@@ -159,11 +134,7 @@ impl Plan {
         let frame = self.frame;
         let mut busy: Vec<Area> = marks(figure)
             .map(|(value, _)| self.x.at(value))
-            .map(|x| Area {
-                left: x - 3.0,
-                right: x + 3.0,
-                ..frame
-            })
+            .map(|x| Area { left: x - 3.0, right: x + 3.0, ..frame })
             .collect();
         let mut labels = Vec::new();
         for (value, label) in marks(figure) {
@@ -178,8 +149,7 @@ impl Plan {
                     bottom: top + height,
                 })
             });
-            let inside =
-                candidates.filter(|a| a.left > frame.left + 2.0 && a.right < frame.right - 2.0);
+            let inside = candidates.filter(|a| a.left > frame.left + 2.0 && a.right < frame.right - 2.0);
             let (area, _) = freest(inside, &taken, &busy).unwrap_or((frame, 0));
             busy.push(area);
             labels.push(area);
@@ -187,27 +157,15 @@ impl Plan {
         let names = figure.series.iter().map(|s| text_width(&s.name, TICK));
         let width = names.fold(0.0, f64::max) + SAMPLE + 27.0;
         let height = ROW * figure.series.len() as f64 + 12.0;
-        let columns = [
-            frame.right - 14.0 - width,
-            frame.left + 14.0,
-            0.5 * (frame.left + frame.right - width),
-        ];
+        let columns =
+            [frame.right - 14.0 - width, frame.left + 14.0, 0.5 * (frame.left + frame.right - width)];
         let rows = [frame.top + 12.0, frame.bottom - 12.0 - height];
-        let candidates = columns.into_iter().flat_map(|left| {
-            rows.map(|top| Area {
-                left,
-                top,
-                right: left + width,
-                bottom: top + height,
-            })
-        });
+        let candidates = columns
+            .into_iter()
+            .flat_map(|left| rows.map(|top| Area { left, top, right: left + width, bottom: top + height }));
         let found = freest(candidates, &taken, &busy);
         let (legend, hits) = found.unwrap_or((frame, 0));
-        Spots {
-            legend,
-            crowded: has_legend(figure) && hits > 0,
-            marks: labels,
-        }
+        Spots { legend, crowded: has_legend(figure) && hits > 0, marks: labels }
     }
 
     /// Points at most 4 px apart along a curve.
@@ -215,9 +173,7 @@ impl Plan {
         let mut trail: Vec<Point> = run.iter().take(1).map(|p| self.at(*p)).collect();
         for pair in run.windows(2) {
             let (a, b) = (self.at(pair[0]), self.at(pair[1]));
-            let parts = ((b.0 - a.0).hypot(b.1 - a.1) / 4.0)
-                .ceil()
-                .clamp(1.0, 500.0);
+            let parts = ((b.0 - a.0).hypot(b.1 - a.1) / 4.0).ceil().clamp(1.0, 500.0);
             trail.extend((1..=parts as usize).map(|i| {
                 let part = i as f64 / parts;
                 (a.0 + part * (b.0 - a.0), a.1 + part * (b.1 - a.1))
@@ -228,18 +184,12 @@ impl Plan {
 }
 
 /// The first candidate that nothing touches, or the one that touches least; with the number of points touched.
-fn freest(
-    candidates: impl Iterator<Item = Area>,
-    taken: &[Point],
-    busy: &[Area],
-) -> Option<(Area, usize)> {
+fn freest(candidates: impl Iterator<Item = Area>, taken: &[Point], busy: &[Area]) -> Option<(Area, usize)> {
     let hits = |area: &Area| {
         taken.iter().filter(|p| area.contains(**p)).count()
             + 50 * busy.iter().filter(|other| area.overlaps(other)).count()
     };
-    candidates
-        .map(|area| (area, hits(&area)))
-        .min_by_key(|(_, hits)| *hits)
+    candidates.map(|area| (area, hits(&area))).min_by_key(|(_, hits)| *hits)
 }
 
 /// A single curve is named by the axis it lies on.
@@ -274,33 +224,21 @@ mod tests {
     fn figure() -> LineFigure {
         let x: Vec<f64> = (0..100).map(|i| 10.0 + f64::from(i)).collect();
         let hill = |centre: f64| {
-            let y = x
-                .iter()
-                .map(|v| 1.0 + 4.0 * (-(v - centre).powi(2) / 200.0).exp());
+            let y = x.iter().map(|v| 1.0 + 4.0 * (-(v - centre).powi(2) / 200.0).exp());
             y.collect::<Vec<_>>()
         };
-        let series = |name: &str, centre, stroke| Series {
-            name: name.into(),
-            x: x.clone(),
-            y: hill(centre),
-            stroke,
-        };
+        let series =
+            |name: &str, centre, stroke| Series { name: name.into(), x: x.clone(), y: hill(centre), stroke };
         LineFigure {
             name: "critical_speed".into(),
             title: "Deflection & speed".into(),
             x_label: "speed [m/s]".into(),
             y_label: "deflection [mm]".into(),
-            second_x: Some(SecondAxis {
-                label: "speed [km/h]".into(),
-                factor: 3.6,
-            }),
+            second_x: Some(SecondAxis { label: "speed [km/h]".into(), factor: 3.6 }),
             y_down: false,
             log_x: false,
             log_y: false,
-            series: vec![
-                series("down", 60.0, Stroke::Solid),
-                series("up", 80.0, Stroke::Dashed),
-            ],
+            series: vec![series("down", 60.0, Stroke::Solid), series("up", 80.0, Stroke::Dashed)],
             marks: vec![(60.0, "critical speed".into())],
         }
     }
@@ -338,11 +276,7 @@ mod tests {
         let plan = Plan::new(&figure, x, y, 0.0);
         let spots = plan.spots(&figure);
         assert!(!spots.crowded);
-        let points = figure
-            .series
-            .iter()
-            .flat_map(|s| runs(s, &figure))
-            .flatten();
+        let points = figure.series.iter().flat_map(|s| runs(s, &figure)).flatten();
         for point in points.map(|p| plan.at(p)) {
             assert!(!spots.legend.contains(point));
             assert!(!spots.marks[0].contains(point));

@@ -28,20 +28,11 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
     };
     let (nx, ny) = (figure.x.len(), figure.y.len());
     if figure.values.dim() != (ny, nx) || nx < 2 || ny < 2 {
-        let reason = format!(
-            "{:?} values over {ny} × {nx} points (y, x)",
-            figure.values.dim()
-        );
-        return Err(refuse(
-            reason,
-            "one value per point, and two points each way at least",
-        ));
+        let reason = format!("{:?} values over {ny} × {nx} points (y, x)", figure.values.dim());
+        return Err(refuse(reason, "one value per point, and two points each way at least"));
     }
     let Some(range) = range(figure) else {
-        return Err(refuse(
-            "no value is finite".to_owned(),
-            "a finite value at least",
-        ));
+        return Err(refuse("no value is finite".to_owned(), "a finite value at least"));
     };
     let (x_span, y_span) = (outer(&figure.x), outer(&figure.y));
     let lengths = (x_span.1 - x_span.0, y_span.1 - y_span.0);
@@ -69,58 +60,28 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
     let longest = text_width(&figure.y_label, LABEL).max(text_width(beside, LABEL));
     let overhang = 0.5 * (longest - height);
     let top = (40.0 + overhang).max(52.0).round();
-    let frame = Area {
-        left: start,
-        top,
-        right: start + width.round(),
-        bottom: top + height.round(),
-    };
+    let frame = Area { left: start, top, right: start + width.round(), bottom: top + height.round() };
     let bar = if flat {
-        Area {
-            top: frame.bottom + 70.0,
-            bottom: frame.bottom + 70.0 + BAR.0,
-            ..frame
-        }
+        Area { top: frame.bottom + 70.0, bottom: frame.bottom + 70.0 + BAR.0, ..frame }
     } else {
-        Area {
-            left: frame.right + BAR.1,
-            right: frame.right + BAR.1 + BAR.0,
-            ..frame
-        }
+        Area { left: frame.right + BAR.1, right: frame.right + BAR.1 + BAR.0, ..frame }
     };
     let x = Scale::new(x_span, false, (frame.left, frame.right));
     let y = Scale::new(y_span, false, (frame.bottom, frame.top));
     let mut palette: Vec<Rgb> = (0..STEPS)
         .map(|step| f64::from(step) / f64::from(STEPS - 1))
-        .map(|t| {
-            if figure.symmetric {
-                diverging(2.0 * t - 1.0)
-            } else {
-                sequential(t)
-            }
-        })
+        .map(|t| if figure.symmetric { diverging(2.0 * t - 1.0) } else { sequential(t) })
         .collect();
     palette.push(MISSING);
     // Values become steps: ⌊(v − lo)/(hi − lo) · STEPS⌋.
     let place = |value: f64| {
         let part = (value - range.0) / (range.1 - range.0);
-        if part.is_nan() {
-            STEPS
-        } else {
-            ((part * f64::from(STEPS)) as u8).min(STEPS - 1)
-        }
+        if part.is_nan() { STEPS } else { ((part * f64::from(STEPS)) as u8).min(STEPS - 1) }
     };
 
-    let mut canvas = Canvas::new(
-        WIDTH,
-        (frame.bottom + overhang).max(bar.bottom + 62.0).round(),
-    );
+    let mut canvas = Canvas::new(WIDTH, (frame.bottom + overhang).max(bar.bottom + 62.0).round());
     let size = [frame.width() as usize, frame.height() as usize];
-    canvas.image(Image {
-        area: frame,
-        palette: palette.clone(),
-        pixels: pixels(figure, size, place),
-    });
+    canvas.image(Image { area: frame, palette: palette.clone(), pixels: pixels(figure, size, place) });
     canvas.rectangle(frame, None, Some(Pen::solid(INK, 1.2)));
     let x_count = ((frame.width() / 90.0) as usize).clamp(3, 8);
     canvas.x_axis(frame, x, &x.ticks(x_count), &figure.x_label, false);
@@ -133,21 +94,9 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
     };
     colour_bar(&mut canvas, bar, flat, &palette[..usize::from(STEPS)]);
     if flat {
-        canvas.x_axis(
-            bar,
-            bar_scale,
-            &bar_scale.ticks(8),
-            &figure.value_label,
-            false,
-        );
+        canvas.x_axis(bar, bar_scale, &bar_scale.ticks(8), &figure.value_label, false);
     } else {
-        canvas.y_axis(
-            bar,
-            bar_scale,
-            &bar_scale.ticks(y_count),
-            &figure.value_label,
-            true,
-        );
+        canvas.y_axis(bar, bar_scale, &bar_scale.ticks(y_count), &figure.value_label, true);
     }
     canvas.title(frame, &figure.title);
     Ok(canvas)
@@ -160,17 +109,9 @@ fn colour_bar(canvas: &mut Canvas, bar: Area, flat: bool, colours: &[Rgb]) {
         // Each step runs on under the next: viewers show a seam between rectangles that merely touch.
         let (from, to) = (step as f64 / count, ((step as f64 + 1.7) / count).min(1.0));
         let area = if flat {
-            Area {
-                left: bar.left + from * bar.width(),
-                right: bar.left + to * bar.width(),
-                ..bar
-            }
+            Area { left: bar.left + from * bar.width(), right: bar.left + to * bar.width(), ..bar }
         } else {
-            Area {
-                top: bar.bottom - to * bar.height(),
-                bottom: bar.bottom - from * bar.height(),
-                ..bar
-            }
+            Area { top: bar.bottom - to * bar.height(), bottom: bar.bottom - from * bar.height(), ..bar }
         };
         canvas.rectangle(area, Some(colour), None);
     }
@@ -187,9 +128,7 @@ fn outer(points: &[f64]) -> (f64, f64) {
 /// The values at both ends of the colours: symmetric about zero if the figure is; never an empty range.
 fn range(figure: &MapFigure) -> Option<(f64, f64)> {
     let finite = figure.values.iter().copied().filter(|v| v.is_finite());
-    let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| {
-        (lo.min(v), hi.max(v))
-    });
+    let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(v), hi.max(v)));
     if lo > hi {
         return None;
     }
@@ -241,9 +180,7 @@ mod tests {
 
     fn figure(nx: usize, ny: usize, symmetric: bool) -> MapFigure {
         let axis = |n: usize, span: f64| -> Vec<f64> {
-            (0..n)
-                .map(|i| span * (i as f64 / (n - 1) as f64 - 0.5))
-                .collect()
+            (0..n).map(|i| span * (i as f64 / (n - 1) as f64 - 0.5)).collect()
         };
         let (x, y) = (axis(nx, 60.0), axis(ny, 40.0));
         let values = Array2::from_shape_fn((ny, nx), |(j, i)| {
@@ -267,13 +204,7 @@ mod tests {
     fn a_large_field_stays_a_light_svg() {
         let svg = svg(&Figure::Map(figure(1100, 1024, true))).unwrap();
         assert!(svg.len() < 1_000_000, "{} bytes", svg.len());
-        for text in [
-            "data:image/png;base64,iVBOR",
-            "x [m]",
-            "y [m]",
-            "displacement [mm]",
-            "Vertical",
-        ] {
+        for text in ["data:image/png;base64,iVBOR", "x [m]", "y [m]", "displacement [mm]", "Vertical"] {
             assert!(svg.contains(text), "{text} is missing");
         }
     }
@@ -290,10 +221,7 @@ mod tests {
         let mut map = figure(121, 11, true);
         map.y.iter_mut().for_each(|y| *y *= 0.2);
         let svg = svg(&Figure::Map(map)).unwrap();
-        let label = svg
-            .lines()
-            .find(|l| l.contains("displacement [mm]"))
-            .unwrap();
+        let label = svg.lines().find(|l| l.contains("displacement [mm]")).unwrap();
         assert!(!label.contains("rotate"), "{label}");
     }
 

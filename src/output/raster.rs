@@ -33,12 +33,7 @@ pub(super) fn png(page: &Scene, image: Option<&Image>) -> Result<Vec<u8>, String
             Primitive::GroupStart { .. } => image.into_iter().for_each(|i| scene.add(i.cells())),
             Primitive::GroupEnd => {}
             // The rasteriser starts its dashes anew at every point, so that a smooth curve is drawn solid.
-            Primitive::PolyLine {
-                points,
-                stroke,
-                stroke_width,
-                stroke_dasharray: Some(dash),
-            } => {
+            Primitive::PolyLine { points, stroke, stroke_width, stroke_dasharray: Some(dash) } => {
                 let mut lengths = dash.split(' ').filter_map(|part| part.parse().ok());
                 let (on, off) = (lengths.next().unwrap_or(6.0), lengths.next().unwrap_or(4.0));
                 for points in dashes(points, on, off) {
@@ -53,9 +48,7 @@ pub(super) fn png(page: &Scene, image: Option<&Image>) -> Result<Vec<u8>, String
             _ => scene.add(element.clone()),
         }
     }
-    let fine = RasterBackend::new()
-        .with_scale((SHARPNESS * FINER) as f32)
-        .render_scene(&scene)?;
+    let fine = RasterBackend::new().with_scale((SHARPNESS * FINER) as f32).render_scene(&scene)?;
     averaged(&fine).map_err(|error| error.to_string())
 }
 
@@ -73,12 +66,8 @@ impl Image {
             Color::Rgb(r, g, b)
         };
         Primitive::RectBatch {
-            x: (0..count)
-                .map(|i| self.area.left + place(i).0 as f64)
-                .collect(),
-            y: (0..count)
-                .map(|i| self.area.top + place(i).1 as f64)
-                .collect(),
+            x: (0..count).map(|i| self.area.left + place(i).0 as f64).collect(),
+            y: (0..count).map(|i| self.area.top + place(i).1 as f64).collect(),
             w: vec![1.0; count],
             h: vec![1.0; count],
             fills: self.pixels.iter().map(fill).collect(),
@@ -134,11 +123,7 @@ fn averaged(fine: &[u8]) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width as u32, height as u32);
     encoder.set_color(png::ColorType::Rgb);
-    encoder.set_pixel_dims(Some(png::PixelDimensions {
-        xppu: PRINT,
-        yppu: PRINT,
-        unit: png::Unit::Meter,
-    }));
+    encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: PRINT, yppu: PRINT, unit: png::Unit::Meter }));
     encoder.write_header()?.write_image_data(&coarse)?;
     Ok(bytes)
 }
@@ -181,9 +166,7 @@ fn base64(bytes: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for group in bytes.chunks(3) {
-        let all = group
-            .iter()
-            .fold(0u32, |sum, &byte| (sum << 8) | u32::from(byte));
+        let all = group.iter().fold(0u32, |sum, &byte| (sum << 8) | u32::from(byte));
         let all = all << (8 * (3 - group.len()));
         for place in 0..4 {
             text.push(if place <= group.len() {
@@ -219,25 +202,14 @@ mod tests {
     #[test]
     fn an_image_fills_its_place_in_the_png() {
         let mut page = Scene::new(4.0, 3.0);
-        page.add(Primitive::GroupStart {
-            transform: None,
-            title: None,
-            extra_attrs: None,
-        });
+        page.add(Primitive::GroupStart { transform: None, title: None, extra_attrs: None });
         let image = Image {
-            area: Area {
-                left: 1.0,
-                top: 1.0,
-                right: 3.0,
-                bottom: 2.0,
-            },
+            area: Area { left: 1.0, top: 1.0, right: 3.0, bottom: 2.0 },
             palette: vec![[10, 20, 30], [200, 100, 0]],
             pixels: vec![0, 1],
         };
         let bytes = png(&page, Some(&image)).unwrap();
-        let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes))
-            .read_info()
-            .unwrap();
+        let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();
         let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
         let frame = reader.next_frame(&mut pixels).unwrap();
         assert_eq!((frame.width, frame.height), (8, 6));

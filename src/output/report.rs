@@ -80,12 +80,8 @@ impl Report {
         }
         html.push_str("<section>\n<h2>Answers</h2>\n<table class=\"answers\">\n");
         for (what, value) in &self.answers {
-            let _ = writeln!(
-                html,
-                "<tr><th scope=\"row\">{}</th><td>{}</td></tr>",
-                escape(what),
-                escape(value)
-            );
+            let _ =
+                writeln!(html, "<tr><th scope=\"row\">{}</th><td>{}</td></tr>", escape(what), escape(value));
         }
         html.push_str("</table>\n</section>\n");
     }
@@ -124,11 +120,7 @@ impl Report {
                 &svg[start..],
                 index + 1,
                 escape(title),
-                if title.ends_with(['.', '?', '!']) || title.is_empty() {
-                    ""
-                } else {
-                    "."
-                },
+                if title.ends_with(['.', '?', '!']) || title.is_empty() { "" } else { "." },
                 escape(caption)
             );
         }
@@ -137,11 +129,7 @@ impl Report {
 }
 
 fn table(html: &mut String, table: &ReportTable) {
-    let _ = writeln!(
-        html,
-        "<section>\n<h2>{}</h2>\n<table>\n<thead><tr>",
-        escape(&table.title)
-    );
+    let _ = writeln!(html, "<section>\n<h2>{}</h2>\n<table>\n<thead><tr>", escape(&table.title));
     for heading in &table.header {
         let _ = write!(html, "<th scope=\"col\">{}</th>", escape(heading));
     }
@@ -192,11 +180,7 @@ mod tests {
             title: "Soft <clay> & \"peat\"".into(),
             version: "0.1.0".into(),
             answers: vec![("Critical speed".into(), "137 m/s".into())],
-            figures: vec![(
-                "Speed".into(),
-                "c_s < v".into(),
-                "<svg id=\"a\"></svg>".into(),
-            )],
+            figures: vec![("Speed".into(), "c_s < v".into(), "<svg id=\"a\"></svg>".into())],
             tables: vec![ReportTable {
                 title: "Layers".into(),
                 header: vec!["thickness [m]".into()],

@@ -10,10 +10,7 @@ pub(super) fn whole(
     path: &Path,
     fill: impl FnOnce(&Path) -> Result<(), OutputError>,
 ) -> Result<(), OutputError> {
-    let failed = |source| OutputError::Write {
-        path: path.to_owned(),
-        source,
-    };
+    let failed = |source| OutputError::Write { path: path.to_owned(), source };
     let Some(name) = path.file_name() else {
         return Err(failed(std::io::Error::other("the path names no file")));
     };
@@ -32,10 +29,7 @@ pub(super) fn whole(
 /// Writes `bytes` to `path`, whole.
 pub(super) fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
     whole(path, |aside| {
-        std::fs::write(aside, bytes).map_err(|source| OutputError::Write {
-            path: path.to_owned(),
-            source,
-        })
+        std::fs::write(aside, bytes).map_err(|source| OutputError::Write { path: path.to_owned(), source })
     })
 }
 
@@ -49,10 +43,7 @@ mod tests {
         let path = dir.path().join("a.txt");
         let result = whole(&path, |aside| {
             std::fs::write(aside, "half").unwrap();
-            Err(OutputError::NotFinite {
-                path: path.clone(),
-                key: "x".into(),
-            })
+            Err(OutputError::NotFinite { path: path.clone(), key: "x".into() })
         });
         assert!(result.is_err());
         assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);

@@ -1,0 +1,153 @@
+//! What goes into `report.html`: answers, pictures, every input, the assumptions.
+
+use super::Case;
+use crate::concern::Concern;
+use crate::output::{Report, ReportTable};
+use crate::soil::{Base, Material, Solver};
+use crate::study::{Contact, Model, Outcome, Support};
+
+/// Name of the ground's solver, for people and attributes.
+pub fn solver(model: &Model) -> String {
+    match model.support() {
+        Support::Ground(_, Solver::DirectStiffness) => "direct-stiffness".into(),
+        Support::Winkler(_) => "none (Winkler springs)".into(),
+    }
+}
+
+fn ground_table(model: &Model) -> Option<ReportTable> {
+    let Support::Ground(profile, _) = model.support() else { return None };
+    let row = |name: String, thickness: String, m: &Material| {
+        vec![
+            name,
+            thickness,
+            format!("{:.1}", m.c_s()),
+            format!("{:.1}", m.c_p()),
+            format!("{:.1}", m.rayleigh_speed()),
+            format!("{:.3}", m.poisson()),
+            format!("{:.0}", m.density()),
+            format!("{:.4}", m.loss_factor()),
+            format!("{:.4}", m.loss_factor_pressure()),
+        ]
+    };
+    let mut rows: Vec<Vec<String>> = profile
+        .layers()
+        .iter()
+        .enumerate()
+        .map(|(i, l)| row(format!("layer {}", i + 1), format!("{}", l.thickness), &l.material))
+        .collect();
+    match profile.base() {
+        Base::HalfSpace(material) => rows.push(row("half-space".into(), "∞".into(), &material)),
+        Base::Rigid => {
+            let mut cells = vec!["rigid base".to_owned()];
+            cells.resize(9, String::new());
+            rows.push(cells);
+        }
+    }
+    Some(ReportTable {
+        title: "Ground".into(),
+        header: [
+            "",
+            "h [m]",
+            "c_s [m/s]",
+            "c_p [m/s]",
+            "c_R [m/s]",
+            "ν [-]",
+            "ρ [kg/m³]",
+            "η_s [-]",
+            "η_p [-]",
+        ]
+        .map(str::to_owned)
+        .to_vec(),
+        rows,
+    })
+}
+
+fn train_table(model: &Model) -> Option<ReportTable> {
+    let train = model.train("report").ok()?;
+    Some(ReportTable {
+        title: format!("Axle loads, {:.0} kN in all", 1e-3 * train.total_load()),
+        header: ["axle", "behind the leading axle [m]", "load [kN]"].map(str::to_owned).to_vec(),
+        rows: train
+            .axles()
+            .iter()
+            .enumerate()
+            .map(|(i, a)| {
+                vec![
+                    format!("{}", i + 1),
+                    format!("{:.2}", a.position - train.axles()[0].position),
+                    format!("{:.1}", 1e-3 * a.load),
+                ]
+            })
+            .collect(),
+    })
+}
+
+fn assumptions(model: &Model) -> Vec<String> {
+    let mut list = vec![
+        "Linear and uniform along the track: one profile, one track, no structures, no transition.".to_owned(),
+        "Loads are constant axle loads moving at constant speed (quasi-static excitation); rail roughness and vehicle dynamics are not in this result.".to_owned(),
+        "Displacements are positive down, and measured from the unloaded state; x′ is the position relative to the leading axle, positive ahead.".to_owned(),
+        "Track values are for the whole track: both rails.".to_owned(),
+    ];
+    match model.support() {
+        Support::Ground(profile, _) => {
+            list.push("Horizontally layered, isotropic ground with hysteretic damping M* = M (1 + iη sgn ω); small strains: if the computed strains are large, use strain-reduced moduli.".into());
+            list.push(
+                "Compliance of the ground by the direct stiffness method (exact layer matrices).".into(),
+            );
+            if profile.is_undamped() {
+                list.push("The ground is undamped.".into());
+            }
+        }
+        Support::Winkler(_) => {
+            list.push("The track stands on independent springs: no waves in the ground.".into())
+        }
+    }
+    if matches!(model.support(), Support::Ground(..)) {
+        list.push(match model.contact() {
+            Contact::Strip(strip) => format!(
+                "The track presses on the ground evenly over 2b = {} m and follows the ground's {}.",
+                2.0 * strip.half_width,
+                if model.contact().compatibility() == "mean" {
+                    "mean displacement over that width"
+                } else {
+                    "displacement under the centre line"
+                }
+            ),
+            Contact::Patch { half_length, strip } => format!(
+                "Each axle presses evenly on {} m × {} m of ground, without a track.",
+                2.0 * half_length,
+                2.0 * strip.half_width
+            ),
+            Contact::Point => {
+                "Each axle is a point load on the ground; the value under it is the mean over one grid cell."
+                    .into()
+            }
+        });
+    }
+    list
+}
+
+/// The report of a finished run.
+pub fn report(
+    case: &Case,
+    outcomes: &[(&'static str, Outcome)],
+    concerns: &[Concern],
+    figures: Vec<(String, String, String)>,
+) -> Report {
+    Report {
+        title: case.title.clone(),
+        source: case.source.clone(),
+        version: env!("CARGO_PKG_VERSION").into(),
+        answers: outcomes
+            .iter()
+            .flat_map(|(_, o)| o.answers.iter().map(|a| (a.what.clone(), a.shown.clone())))
+            .collect(),
+        figures,
+        tables: [ground_table(&case.model), train_table(&case.model)].into_iter().flatten().collect(),
+        case_text: case.text.clone(),
+        assumptions: assumptions(&case.model),
+        concerns: concerns.to_vec(),
+        references: case.references.clone(),
+    }
+}

@@ -1,0 +1,237 @@
+//! Runs a case and leaves its results, whole or not at all.
+
+use super::{Case, report};
+use crate::concern::Concern;
+use crate::dataset::{Attribute, Dataset};
+use crate::output::{OutputError, csv, hdf5, json, plot};
+use crate::progress::Observer;
+use crate::study::{Answer, Outcome, StudyError};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// Where and how.
+#[derive(Clone, Debug)]
+pub struct RunOptions {
+    /// Output folder; it appears when everything in it is written.
+    pub out: PathBuf,
+    /// Replace an existing folder.
+    pub overwrite: bool,
+    /// Concerns are failures.
+    pub strict: bool,
+}
+
+/// What a run found.
+#[derive(Clone, Debug)]
+pub struct Summary {
+    /// Answers by study.
+    pub answers: Vec<(&'static str, Vec<Answer>)>,
+    /// Every concern.
+    pub concerns: Vec<Concern>,
+    /// Files written, relative to the output folder.
+    pub files: Vec<String>,
+}
+
+/// Why a run has no result.
+#[derive(Debug, Error)]
+pub enum RunError {
+    /// The output folder exists.
+    #[error("the output folder {path} exists: give another --out, or --overwrite to replace it", path = path.display())]
+    Exists {
+        /// Which.
+        path: PathBuf,
+    },
+    /// The output folder cannot be made.
+    #[error("cannot write to {path}: {reason}; give another --out", path = path.display())]
+    Unwritable {
+        /// Which.
+        path: PathBuf,
+        /// Why.
+        reason: String,
+    },
+    /// A study failed.
+    #[error("{study}: {source}")]
+    Study {
+        /// Which.
+        study: &'static str,
+        /// Why.
+        source: StudyError,
+    },
+    /// A file could not be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// Concerns under `--strict`.
+    #[error("{} concern(s) under --strict, nothing written:\n{}", concerns.len(), concerns.iter().map(|c| format!("  {c}")).collect::<Vec<_>>().join("\n"))]
+    Strict {
+        /// All of them.
+        concerns: Vec<Concern>,
+    },
+}
+
+/// Prefix of the folder in which results are gathered, beside the output folder; with the process number, so that an
+/// interrupted run can be swept up.
+pub fn staging_prefix() -> String {
+    format!(".groundwave-{}-", std::process::id())
+}
+
+/// The folder in which `out` will stand.
+fn parent(out: &Path) -> PathBuf {
+    match out.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+/// Refuses an output folder that exists or cannot be made, before anything is computed. Leaves nothing behind.
+///
+/// # Errors
+/// `Exists`, `Unwritable`.
+pub fn check_output(out: &Path, overwrite: bool) -> Result<(), RunError> {
+    if out.symlink_metadata().is_ok() && !overwrite {
+        return Err(RunError::Exists { path: out.to_owned() });
+    }
+    let unwritable = |reason: String| RunError::Unwritable { path: out.to_owned(), reason };
+    if out.file_name().is_none() {
+        return Err(unwritable("the path names no folder".into()));
+    }
+    if out.is_file() {
+        return Err(unwritable("it is a file".into()));
+    }
+    // the nearest folder that exists must take a new one
+    let parent = parent(out);
+    let existing = parent.ancestors().find(|a| a.exists() || a.as_os_str().is_empty());
+    let existing = existing.filter(|a| !a.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    tempfile::Builder::new()
+        .prefix(&staging_prefix())
+        .tempdir_in(existing)
+        .map(|_| ())
+        .map_err(|e| unwritable(e.to_string()))
+}
+
+/// Computes every study of `case` and writes HDF5, CSV, JSON, pictures and report.
+///
+/// # Errors
+/// A folder that cannot be made, a study that fails, concerns under `strict`; then nothing is left behind.
+pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result<Summary, RunError> {
+    check_output(&options.out, options.overwrite)?;
+    let mut outcomes: Vec<(&'static str, Outcome)> = Vec::new();
+    for study in &case.studies {
+        let outcome = study
+            .run(&case.model, observer)
+            .map_err(|source| RunError::Study { study: study.name(), source })?;
+        outcomes.push((study.name(), outcome));
+    }
+    let concerns: Vec<Concern> = outcomes.iter().flat_map(|(_, o)| o.concerns.clone()).collect();
+    if options.strict && !concerns.is_empty() {
+        return Err(RunError::Strict { concerns });
+    }
+    let unwritable =
+        |e: std::io::Error| RunError::Unwritable { path: options.out.clone(), reason: e.to_string() };
+    let parent = parent(&options.out);
+    std::fs::create_dir_all(&parent).map_err(unwritable)?;
+    let staging =
+        tempfile::Builder::new().prefix(&staging_prefix()).tempdir_in(&parent).map_err(unwritable)?;
+    observer.begin("writing", 1);
+    write(case, &outcomes, &concerns, staging.path())?;
+    let mut files: Vec<String> = std::fs::read_dir(staging.path())
+        .map_err(unwritable)?
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .collect();
+    files.sort();
+    // the old folder goes only when the new one is whole
+    if options.out.exists() {
+        let old =
+            tempfile::Builder::new().prefix(&staging_prefix()).tempdir_in(&parent).map_err(unwritable)?;
+        std::fs::rename(&options.out, old.path().join("old")).map_err(unwritable)?;
+        std::fs::rename(staging.path(), &options.out).map_err(unwritable)?;
+    } else {
+        std::fs::rename(staging.path(), &options.out).map_err(unwritable)?;
+    }
+    open_to_readers(&options.out);
+    observer.advance();
+    observer.end();
+    let answers = outcomes.into_iter().map(|(name, o)| (name, o.answers)).collect();
+    Ok(Summary { answers, concerns, files })
+}
+
+/// A temporary folder is closed to others; a result is as open as any folder.
+fn open_to_readers(folder: &Path) {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let _ = std::fs::set_permissions(folder, std::fs::Permissions::from_mode(0o755));
+    }
+    #[cfg(not(unix))]
+    let _ = folder;
+}
+
+fn write(
+    case: &Case,
+    outcomes: &[(&'static str, Outcome)],
+    concerns: &[Concern],
+    folder: &Path,
+) -> Result<(), RunError> {
+    let mut attributes: Vec<(String, Attribute)> = vec![
+        ("Conventions".into(), "CF-1.8".into()),
+        ("title".into(), case.title.clone().into()),
+        ("program".into(), "groundwave".into()),
+        ("version".into(), env!("CARGO_PKG_VERSION").into()),
+        ("solver".into(), report::solver(&case.model).into()),
+        ("case_text".into(), case.text.clone().into()),
+        ("case_files".into(), serde_json::json!(case.files).to_string().into()),
+        ("concerns".into(), serde_json::json!(concerns).to_string().into()),
+        (
+            "axes".into(),
+            "x along the track, positive in the direction of travel; y across it; z down; displacements and loads positive down"
+                .into(),
+        ),
+    ];
+    if let Some(source) = &case.source {
+        attributes.push(("source".into(), source.clone().into()));
+    }
+    let groups = outcomes.iter().map(|(_, o)| o.group.clone()).collect();
+    hdf5::write(&Dataset { attributes, groups }, &folder.join("results.h5"))?;
+    let mut pictures = Vec::new();
+    for (_, outcome) in outcomes {
+        csv::write(&outcome.group, folder)?;
+        for (figure, caption) in &outcome.figures {
+            plot::write(figure, folder)?;
+            pictures.push((figure.title().to_owned(), caption.clone(), plot::svg(figure)?));
+        }
+    }
+    json::write(&summary(case, outcomes, concerns), &folder.join("summary.json"))?;
+    let html = report::report(case, outcomes, concerns, pictures).html();
+    let path = folder.join("report.html");
+    std::fs::write(&path, html).map_err(|source| OutputError::Write { path, source })?;
+    Ok(())
+}
+
+/// `summary.json`: one object per study with its answers as plain SI numbers, their units beside them.
+fn summary(case: &Case, outcomes: &[(&'static str, Outcome)], concerns: &[Concern]) -> serde_json::Value {
+    let mut root = serde_json::Map::new();
+    root.insert("program".into(), "groundwave".into());
+    root.insert("version".into(), env!("CARGO_PKG_VERSION").into());
+    root.insert("title".into(), case.title.clone().into());
+    if let Some(source) = &case.source {
+        root.insert("source".into(), source.clone().into());
+    }
+    let mut units = serde_json::Map::new();
+    for (name, outcome) in outcomes {
+        let numbers: serde_json::Map<_, _> =
+            outcome.answers.iter().map(|a| (a.key.clone(), a.value.into())).collect();
+        let of: serde_json::Map<_, _> =
+            outcome.answers.iter().map(|a| (a.key.clone(), a.unit.into())).collect();
+        root.insert((*name).into(), numbers.into());
+        units.insert((*name).into(), of.into());
+    }
+    root.insert("units".into(), units.into());
+    root.insert("concerns".into(), serde_json::json!(concerns));
+    root.into()
+}
+
+/// Case text and files stored in a `results.h5`.
+pub(super) fn stored_case(path: &Path) -> Result<(String, BTreeMap<String, String>), String> {
+    let read = |name: &str| hdf5::read_text_attribute(path, name);
+    let files = serde_json::from_str(&read("case_files")?).map_err(|e| e.to_string())?;
+    Ok((read("case_text")?, files))
+}

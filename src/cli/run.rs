@@ -1,0 +1,125 @@
+//! `run` and `check`.
+
+use super::args::RunArguments;
+use super::progress::Bar;
+use super::{BAD_INPUT, DONE, FAILED, complain, say};
+use groundwave::case::{Case, RunError, RunOptions, Summary, check_output, run as run_case, staging_prefix};
+use groundwave::progress::Observer;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+fn load(path: &Path) -> Result<Case, u8> {
+    Case::load(path).map_err(|error| {
+        complain(&error.into());
+        BAD_INPUT
+    })
+}
+
+pub fn check(path: &Path) -> u8 {
+    match load(path) {
+        Ok(case) => {
+            let studies: Vec<&str> = case.studies.iter().map(|s| s.name()).collect();
+            say(&format!("{}: {}; studies: {}", path.display(), case.title, studies.join(", ")));
+            DONE
+        }
+        Err(code) => code,
+    }
+}
+
+/// results/<name>: the file's stem, or its folder's name where the file is called case.toml or results.h5.
+fn default_out(case: &Path) -> PathBuf {
+    let stem = case.file_stem().and_then(|s| s.to_str()).unwrap_or("case");
+    let folder = std::path::absolute(case).ok();
+    let folder = folder.as_deref().and_then(Path::parent).and_then(Path::file_name).and_then(|s| s.to_str());
+    let name = match (stem, folder) {
+        ("case" | "results", Some(folder)) => folder,
+        _ => stem,
+    };
+    // a re-run from results/x/results.h5 must not fall upon the folder it reads from
+    let name = if stem == "results" { format!("{name}_again") } else { name.to_owned() };
+    Path::new("results").join(name)
+}
+
+/// Removes what an interrupted run leaves beside its output folder.
+fn sweep_on_interrupt(out: &Path) {
+    let parent = match out.parent() {
+        Some(p) if !p.as_os_str().is_empty() => p.to_owned(),
+        _ => PathBuf::from("."),
+    };
+    let _ = ctrlc::set_handler(move || {
+        let prefix = staging_prefix();
+        for entry in std::fs::read_dir(&parent).into_iter().flatten().flatten() {
+            if entry.file_name().to_string_lossy().starts_with(&prefix) {
+                let _ = std::fs::remove_dir_all(entry.path());
+            }
+        }
+        eprintln!("\ninterrupted: nothing written");
+        std::process::exit(130);
+    });
+}
+
+pub fn run(arguments: &RunArguments) -> u8 {
+    let case = match load(&arguments.case) {
+        Ok(case) => case,
+        Err(code) => return code,
+    };
+    if let Some(threads) = arguments.threads
+        && let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global()
+    {
+        eprintln!("error: cannot start {threads} threads: {error}");
+        return FAILED;
+    }
+    let out = arguments.out.clone().unwrap_or_else(|| default_out(&arguments.case));
+    if let Err(error) = check_output(&out, arguments.overwrite) {
+        eprintln!("error: {error}");
+        return BAD_INPUT;
+    }
+    sweep_on_interrupt(&out);
+    let started = Instant::now();
+    let bar = Bar::new();
+    let options = RunOptions { out: out.clone(), overwrite: arguments.overwrite, strict: arguments.strict };
+    let result = run_case(&case, &options, &bar);
+    bar.end();
+    match result {
+        Ok(summary) => {
+            print(&case, &summary, &out, started);
+            DONE
+        }
+        Err(error @ (RunError::Exists { .. } | RunError::Unwritable { .. })) => {
+            eprintln!("error: {error}");
+            BAD_INPUT
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
+            FAILED
+        }
+    }
+}
+
+fn print(case: &Case, summary: &Summary, out: &Path, started: Instant) {
+    say(&case.title);
+    for (study, answers) in &summary.answers {
+        if answers.is_empty() {
+            say(&format!("\n{study}: see the tables"));
+            continue;
+        }
+        say(&format!("\n{study}"));
+        for answer in answers {
+            say(&format!("  {:62} {}", answer.what, answer.shown));
+        }
+    }
+    say("");
+    if summary.concerns.is_empty() {
+        say("No concerns.");
+    }
+    for concern in &summary.concerns {
+        say(&format!("Concern: {concern}"));
+    }
+    say(&format!(
+        "{} files in {} ({:.1} s), start with {}",
+        summary.files.len(),
+        out.display(),
+        started.elapsed().as_secs_f64(),
+        out.join("report.html").display()
+    ));
+}
