@@ -126,6 +126,12 @@ impl Loader<'_> {
                     self.resolve(&Named::<TrainInput>::Name(vehicle.clone()), "train.vehicle", "vehicles")?;
                 let axles = inner.table.axles.unwrap_or_default();
                 let count = table.count.unwrap_or(1);
+                if count == 0 || count > 1000 {
+                    return Err(fault(Finding::new(
+                        at("count"),
+                        format!("found {count}: it must lie between 1 and 1000"),
+                    )));
+                }
                 let length = match (count, inner.table.length) {
                     (1, _) => 0.0,
                     (_, Some(length)) => length,
@@ -154,6 +160,12 @@ impl Loader<'_> {
                 ));
             }
         };
+        let mut axles = axles;
+        if table.reversed {
+            for axle in &mut axles {
+                axle.position = -axle.position;
+            }
+        }
         Train::new(axles).map_err(|error| {
             use crate::vehicle::VehicleError::{Load, NoLoad, Position};
             let path = match &error {

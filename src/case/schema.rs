@@ -299,6 +299,9 @@ pub struct TrainInput {
     pub vehicle: Option<String>,
     /// How many of them in a row.
     pub count: Option<usize>,
+    /// Runs the other way: the last axle leads.
+    #[serde(default)]
+    pub reversed: bool,
     /// Library files only: length over couplers [m], the distance at which the next vehicle repeats the axles.
     pub length: Option<f64>,
 }

@@ -13,6 +13,8 @@ const WIDTH: f64 = 900.0;
 const HEIGHT: f64 = 440.0;
 /// Height of a line of the legend [px].
 const ROW: f64 = 22.0;
+/// Room for ticks and label below the frame [px].
+const BELOW: f64 = 62.0;
 /// Length of the stroke shown in the legend [px].
 const SAMPLE: f64 = 34.0;
 
@@ -28,13 +30,18 @@ pub(super) fn draw(figure: &LineFigure) -> Result<Canvas, OutputError> {
     let plan = |room_right: f64| Plan::new(figure, x_range, y_range, room_right);
     let mut plan_taken = plan(0.0);
     let mut spots = plan_taken.spots(figure);
-    // No free corner: the legend goes beside the frame, if that leaves the curves most of the page.
-    if spots.crowded && spots.legend.width() < 0.35 * WIDTH {
-        plan_taken = plan(spots.legend.width() + 6.0);
-        spots = plan_taken.spots(figure);
-        let (left, top) = (plan_taken.frame.right + 6.0, plan_taken.frame.top);
-        spots.legend =
-            Area { left, top, right: left + spots.legend.width(), bottom: top + spots.legend.height() };
+    // No free corner: the legend goes beside the frame if that leaves the curves most of the page, else below it.
+    if spots.crowded {
+        let beside = spots.legend.width() < 0.35 * WIDTH;
+        if beside {
+            plan_taken = plan(spots.legend.width() + 6.0);
+            spots = plan_taken.spots(figure);
+        }
+        let frame = plan_taken.frame;
+        let (left, top) =
+            if beside { (frame.right + 6.0, frame.top) } else { (frame.left, frame.bottom + BELOW) };
+        let (width, height) = (spots.legend.width(), spots.legend.height());
+        spots.legend = Area { left, top, right: left + width, bottom: top + height };
     }
     Ok(plan_taken.draw(figure, &spots))
 }
@@ -78,7 +85,7 @@ impl Plan {
 
     fn draw(&self, figure: &LineFigure, spots: &Spots) -> Canvas {
         let frame = self.frame;
-        let mut canvas = Canvas::new(WIDTH, frame.bottom + 62.0);
+        let mut canvas = Canvas::new(WIDTH, (frame.bottom + BELOW).max(spots.legend.bottom + 4.0));
         let (x_ticks, y_ticks) = (self.x.ticks(8), self.y.ticks(7));
         canvas.grid(frame, (self.x, &x_ticks), (self.y, &y_ticks));
         let white = Some([255; 3]);
@@ -163,8 +170,8 @@ impl Plan {
         let candidates = columns
             .into_iter()
             .flat_map(|left| rows.map(|top| Area { left, top, right: left + width, bottom: top + height }));
-        let found = freest(candidates, &taken, &busy);
-        let (legend, hits) = found.unwrap_or((frame, 0));
+        let found = if has_legend(figure) { freest(candidates, &taken, &busy) } else { None };
+        let (legend, hits) = found.unwrap_or((Area { bottom: frame.top, ..frame }, 0));
         Spots { legend, crowded: has_legend(figure) && hits > 0, marks: labels }
     }
 

@@ -1,6 +1,6 @@
 //! k_eq(β, ω) as a table for researchers.
 
-use super::{Model, Outcome, StudyError};
+use super::{Model, Outcome, StudyError, trimmed};
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
@@ -75,7 +75,7 @@ impl EquivalentStiffness {
             .iter()
             .enumerate()
             .map(|(i, omega)| Series {
-                name: format!("{:.4} Hz", omega / TAU),
+                name: format!("{} Hz", trimmed(omega / TAU)),
                 x: self.beta.clone(),
                 y: (0..shape.1).map(|j| 1e-6 * values[i * shape.1 + j].value.norm()).collect(),
                 stroke: if shape.1 > 1 { Stroke::Solid } else { Stroke::Points },

@@ -163,6 +163,12 @@ pub enum StudyError {
     },
 }
 
+/// A number for a legend: at most four decimals, no trailing zeros.
+fn trimmed(value: f64) -> String {
+    let text = format!("{value:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
 /// "137.0 m/s (493 km/h)"
 fn speed_text(speed: f64) -> String {
     format!("{speed:.1} m/s ({:.0} km/h)", 3.6 * speed)

@@ -1,6 +1,6 @@
 //! G(k, ω) of the surface as a table for researchers.
 
-use super::{Model, Outcome, StudyError};
+use super::{Model, Outcome, StudyError, trimmed};
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
 use crate::progress::Observer;
@@ -77,7 +77,7 @@ impl SurfaceComplianceTable {
             .iter()
             .zip(&rows)
             .map(|(f, row)| Series {
-                name: format!("{f:.4} Hz"),
+                name: format!("{} Hz", trimmed(*f)),
                 x: self.k.clone(),
                 y: row.iter().map(|g| g.u_zz.norm()).collect(),
                 stroke: if self.k.len() > 1 { Stroke::Solid } else { Stroke::Points },

@@ -79,23 +79,24 @@ impl TrackResponse {
                 format!("Largest upward rail deflection at {at}"),
                 up,
                 "m",
-                format!("{:.3} mm", 1e3 * up),
+                if up > 0.0 { format!("{:.3} mm", 1e3 * up) } else { "none in this window".into() },
             ));
             let millimetres = |values: Vec<f64>| values.iter().map(|w| 1e3 * w).collect::<Vec<_>>();
-            let mut series = vec![
-                Series {
-                    name: "rail".into(),
-                    x: x.clone(),
-                    y: millimetres(rail.row(row).to_vec()),
-                    stroke: Stroke::Solid,
-                },
-                Series {
+            let mut series = vec![Series {
+                name: "rail".into(),
+                x: x.clone(),
+                y: millimetres(rail.row(row).to_vec()),
+                stroke: Stroke::Solid,
+            }];
+            // one beam on the ground moves as one
+            if rail.row(row) != base.row(row) {
+                series.push(Series {
                     name: "ground under the track".into(),
                     x: x.clone(),
                     y: millimetres(base.row(row).to_vec()),
                     stroke: Stroke::Dashed,
-                },
-            ];
+                });
+            }
             for record in self.records.iter().filter(|r| (r.speed - speed).abs() < 1e-3 * speed) {
                 series.push(Series {
                     name: record.label.clone(),
