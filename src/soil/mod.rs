@@ -16,6 +16,7 @@ mod material;
 mod profile;
 pub mod strip;
 pub(crate) mod wave;
+pub mod wave_amplitudes;
 
 pub use compliance::{Compliance, SurfaceCompliance};
 pub use direct_stiffness::DirectStiffness;

@@ -1,56 +1,95 @@
 //! The recomputed speed curves of the paper's two tracks.
 
-use crate::common::named;
-use groundwave::foundation::LayeredSoil;
+use crate::common::{named, tracks};
+use groundwave::foundation::{Foundation, LayeredSoil};
 use groundwave::interaction::TrackOnFoundation;
-use groundwave::soil::{Compatibility, Solver, Strip};
-use groundwave::track::{Ballast, Ballasted, Link, Member, Slab};
+use groundwave::math::quadrature::{Tolerance, integrate};
+use groundwave::soil::{Solver, Strip};
+use num_complex::Complex64;
+use std::f64::consts::PI;
+
+fn soil(compatibility: groundwave::soil::Compatibility) -> LayeredSoil {
+    let strip = Strip { half_width: 1.25, compatibility };
+    LayeredSoil::new(named("paper_layered"), Solver::DirectStiffness, strip, 1e-8).unwrap()
+}
 
 #[test]
 fn reference() {
     let text: serde_json::Value =
         serde_json::from_str(include_str!("../reference/critical_speed.json")).unwrap();
     for case in text.as_array().unwrap() {
-        let rail = Member::beam(12.76e6, 120.46, 0.0).unwrap();
-        let pad = Link::spring(7e8, 3.84e4, 0.0).unwrap();
-        let (stack, compatibility) = if case["name"] == "paper_slab" {
-            let slab = Member::beam(9.77e7, 1250.0, 0.0).unwrap();
-            (Slab { rail, pad, slab }.stack(), Compatibility::Mean)
-        } else {
-            let ballast = Ballast::Bars {
-                young: 1.4e8,
-                height: 0.35,
-                alpha: 0.5,
-                wave_speed: 333.0,
-                half_width: 1.25,
-                loss_factor: 0.0,
-            };
-            (Ballasted { rail, pad, sleeper_mass: 490.0, ballast }.stack().unwrap(), Compatibility::Centre)
-        };
-        let soil = LayeredSoil::new(
-            named("paper_layered"),
-            Solver::DirectStiffness,
-            Strip { half_width: 1.25, compatibility },
-            1e-8,
-        )
-        .unwrap();
+        let name = case["name"].as_str().unwrap();
+        let (stack, compatibility) = tracks::named(name);
+        let soil = soil(compatibility);
         let track = TrackOnFoundation::new(&stack, &soil, 0.0);
-        let list =
-            |key: &str| case[key].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect::<Vec<_>>();
+        let list = |key: &str| -> Vec<f64> {
+            case[key].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()
+        };
+        let (mut worst, mut worst_up) = (0.0f64, 0.0f64);
         for ((speed, down), up) in list("speed").iter().zip(list("max_down")).zip(list("max_up")) {
-            let t = std::time::Instant::now();
-            let response = track.moving(*speed, 60.0).unwrap();
-            let t1 = t.elapsed();
-            let shape = response.shape(-60.0, 0.05, 1601);
-            let t2 = t.elapsed();
+            let response = track.moving(*speed, 61.0).unwrap();
+            assert!(response.converged);
+            let shape = response.shape(-60.0, 0.05, 1801);
             let got_down = 150e3 * shape.rail.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             let got_up = 150e3 * shape.rail.iter().map(|w| -w).fold(f64::NEG_INFINITY, f64::max);
-            println!(
-                "{speed:6} {:+.5}% {:+.5}%  {up:e} {got_up:e} {} {t1:?} {t2:?}",
-                (got_down / down - 1.0) * 100.0,
-                (got_up - up) / down * 100.0,
-                response.converged
-            );
+            let (error, error_up) = ((got_down / down - 1.0).abs(), (got_up - up).abs() / down);
+            if name == "paper_slab" && *speed == 220.0 {
+                // The table is off by a constant 5.9 µm here (0.67 % down, 0.68 % up): see `the_table_errs_at_220`.
+                assert!((got_down - down + 5.9e-6).abs() < 0.3e-6 && (got_up - up - 5.9e-6).abs() < 0.3e-6);
+                continue;
+            }
+            worst = worst.max(error);
+            worst_up = worst_up.max(error_up);
         }
+        println!("{name}: {worst:e} down, {worst_up:e} up");
+        // measured 7e-4 and 1.1e-3: the table's own periodic images, largest for slow loads
+        assert!(worst < 3e-3, "{name} {worst:e}");
+        // upward relative to the largest downward deflection; measured 1.3e-3 and 2.3e-3
+        assert!(worst_up < 3e-3, "{name} {worst_up:e}");
+    }
+}
+
+/// At 220 m/s our value against an integral that shares neither interpolation, nodes nor transform with it.
+#[test]
+fn the_table_errs_at_220() {
+    let (stack, compatibility) = tracks::named("paper_slab");
+    let soil = soil(compatibility);
+    let speed = 220.0;
+    let response = TrackOnFoundation::new(&stack, &soil, 0.0).moving(speed, 61.0).unwrap();
+    let mut points = vec![0.0f64, 1e-8];
+    while points[points.len() - 1] < 25.0 {
+        let last = points[points.len() - 1];
+        points.push(last + (2.0 * last).min(0.25));
+    }
+    let tolerance = Tolerance { relative: 1e-4, absolute: 1e-11, max_count: 4000 };
+    for x in [-1.65, -6.3] {
+        let f = |beta: f64| {
+            let stiffness = soil.stiffness(beta, -beta * speed).unwrap().value;
+            stack.respond(beta, -beta * speed, stiffness).rail * Complex64::cis(beta * x)
+        };
+        let exact = integrate(f, &points, tolerance).value.re / PI;
+        let error = 150e3 * (response.rail(x) - exact).abs();
+        println!("{x}: {error:e} m");
+        // measured below 0.1 µm, against the 5.9 µm in question
+        assert!(error < 0.3e-6, "{x}: {error:e}");
+    }
+}
+
+#[test]
+fn peaks() {
+    for (name, expected) in [("paper_ballasted", 137.0), ("paper_slab", 170.0)] {
+        let (stack, compatibility) = tracks::named(name);
+        let soil = soil(compatibility);
+        let track = TrackOnFoundation::new(&stack, &soil, 0.0);
+        let down = |speed: f64| {
+            track
+                .moving(speed, 21.0)
+                .map(|r| r.shape(-20.0, 0.05, 601).rail.into_iter().fold(f64::NEG_INFINITY, f64::max))
+        };
+        let (speed, _) =
+            groundwave::math::maximum::golden_section(down, expected - 6.0, expected + 6.0, 0.05).unwrap();
+        println!("{name}: {speed}");
+        // measured 137.3 and 170.1 m/s
+        assert!((speed - expected).abs() < 1.0, "{name}: {speed}");
     }
 }

@@ -5,5 +5,7 @@ mod common;
 
 mod contour;
 mod critical_speed;
+mod depths;
 mod k_eq;
+mod light_damping;
 mod surface_compliance;

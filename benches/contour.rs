@@ -1,0 +1,40 @@
+//! What does a ground contour cost?
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use divan::{Bencher, black_box};
+use groundwave::interaction::{Quantity, Window};
+use groundwave::progress::Silent;
+use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Solver, Strip};
+use groundwave::study::{Contact, Contour, Model, Support};
+use groundwave::vehicle::{Axle, Train};
+
+fn main() {
+    divan::main();
+}
+
+/// Baseline: a million evaluations of G, on one thread.
+#[divan::bench(sample_count = 10)]
+fn baseline_u_zz_1e6(bencher: Bencher) {
+    let ground = DirectStiffness.prepare(&common::named("paper_layered"), 137.0, &[]).unwrap();
+    bencher.bench(|| {
+        (1..=1_000_000).map(|i| ground.u_zz(black_box(1e-5 * f64::from(i)))).sum::<num_complex::Complex64>()
+    });
+}
+
+/// 1024 × 1024 values 0.25 m apart at 137 m/s, all threads.
+#[divan::bench(sample_count = 5)]
+fn contour_1024(bencher: Bencher) {
+    let strip = Strip { half_width: 1.25, compatibility: Compatibility::Centre };
+    let support = Support::Ground(common::named("paper_layered"), Solver::DirectStiffness);
+    let train = Train::new(vec![Axle { position: 0.0, load: 150e3 }]).unwrap();
+    let model = Model::new(support, Contact::Strip(strip), common::tracks::ballasted(), Some(train)).unwrap();
+    let study = Contour {
+        speeds: vec![137.0],
+        window: Window { x: (-192.0, 63.75), y: (-128.0, 127.75), spacing: 0.25 },
+        quantities: vec![Quantity::Vertical],
+        clearance: None,
+    };
+    bencher.bench(|| study.run(&model, &Silent).unwrap());
+}

@@ -1,0 +1,51 @@
+//! What does one compliance G(k, ω) cost?
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use divan::{Bencher, black_box};
+use groundwave::soil::wave_amplitudes::WaveAmplitudes;
+use groundwave::soil::{DirectStiffness, GroundSolver, half_space};
+
+fn main() {
+    divan::main();
+}
+
+/// One k after another, as a quadrature asks.
+fn wavenumbers() -> Vec<f64> {
+    (0..1000).map(|i| 0.05 * 1.006f64.powi(i)).collect()
+}
+
+#[divan::bench(args = ["paper_half_space", "paper_layered", "mezher2016_profile3"])]
+fn u_zz_1000(bencher: Bencher, name: &str) {
+    let ground = DirectStiffness.prepare(&common::named(name), 100.0, &[]).unwrap();
+    let k = wavenumbers();
+    bencher.bench(|| k.iter().map(|&k| ground.u_zz(black_box(k))).sum::<num_complex::Complex64>());
+}
+
+#[divan::bench]
+fn all_components_1000(bencher: Bencher) {
+    let ground = DirectStiffness.prepare(&common::named("paper_layered"), 100.0, &[]).unwrap();
+    let k = wavenumbers();
+    bencher.bench(|| ground.batch(black_box(&k)));
+}
+
+/// Baseline: the closed form of the half-space.
+#[divan::bench]
+fn baseline_half_space_closed_form_1000(bencher: Bencher) {
+    let profile = common::named("paper_half_space");
+    let k = wavenumbers();
+    bencher.bench(|| {
+        k.iter()
+            .map(|&k| half_space::surface_compliance(profile.top(), black_box(k), 100.0).u_zz)
+            .sum::<num_complex::Complex64>()
+    });
+}
+
+/// Baseline: the dense system of wave amplitudes.
+#[divan::bench]
+fn baseline_wave_amplitudes_1000(bencher: Bencher) {
+    let ground = WaveAmplitudes.prepare(&common::named("paper_layered"), 100.0, &[]).unwrap();
+    let k = wavenumbers();
+    bencher.bench(|| k.iter().map(|&k| ground.surface(black_box(k)).u_zz).sum::<num_complex::Complex64>());
+}

@@ -1,0 +1,39 @@
+//! What does the paper's speed curve cost?
+
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use divan::{Bencher, black_box};
+use groundwave::progress::Silent;
+use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Solver, Strip};
+use groundwave::study::{Contact, CriticalSpeed, Model, Support};
+use groundwave::vehicle::{Axle, Train};
+
+fn main() {
+    divan::main();
+}
+
+fn model(axles: usize) -> Model {
+    let strip = Strip { half_width: 1.25, compatibility: Compatibility::Centre };
+    let support = Support::Ground(common::named("paper_layered"), Solver::DirectStiffness);
+    let axles = (0..axles).map(|i| Axle { position: 2.9 * i as f64, load: 150e3 }).collect();
+    Model::new(support, Contact::Strip(strip), common::tracks::ballasted(), Some(Train::new(axles).unwrap()))
+        .unwrap()
+}
+
+/// Baseline: a million evaluations of G, on one thread.
+#[divan::bench(sample_count = 10)]
+fn baseline_u_zz_1e6(bencher: Bencher) {
+    let ground = DirectStiffness.prepare(&common::named("paper_layered"), 137.0, &[]).unwrap();
+    bencher.bench(|| {
+        (1..=1_000_000).map(|i| ground.u_zz(black_box(1e-5 * f64::from(i)))).sum::<num_complex::Complex64>()
+    });
+}
+
+/// 100 speeds from 10 to 208 m/s with static limit and refined maximum, all threads.
+#[divan::bench(args = [1, 20], sample_count = 5)]
+fn hundred_speeds(bencher: Bencher, axles: usize) {
+    let model = model(axles);
+    let study = CriticalSpeed { speeds: (0..100).map(|i| 10.0 + 2.0 * f64::from(i)).collect() };
+    bencher.bench(|| study.run(&model, &Silent).unwrap());
+}
