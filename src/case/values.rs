@@ -14,22 +14,18 @@ pub struct Speed(pub f64);
 /// "250 km/h", "70 m/s" → m/s.
 fn parse_speed(text: &str) -> Result<f64, String> {
     let text = text.trim();
-    let split = text.find(|c: char| c.is_alphabetic()).unwrap_or(text.len());
-    // the exponent of 1e2 is a letter too
-    let split = match text[..split].trim().parse::<f64>() {
-        Ok(_) => split,
-        Err(_) => text.rfind(' ').unwrap_or(split),
+    let (number, factor) = if let Some(number) = text.strip_suffix("km/h") {
+        (number, 1.0 / 3.6)
+    } else if let Some(number) = text.strip_suffix("m/s") {
+        (number, 1.0)
+    } else {
+        let unit = text.trim_start_matches(|c: char| "+-.0123456789 ".contains(c));
+        return Err(format!("unknown unit of speed `{unit}`, allowed: m/s, km/h (as in \"250 km/h\")"));
     };
-    let (number, unit) = (text[..split].trim(), text[split..].trim());
-    let factor = match unit {
-        "km/h" => 1.0 / 3.6,
-        "m/s" => 1.0,
-        other => {
-            return Err(format!("unknown unit of speed `{other}`, allowed: m/s, km/h (as in \"250 km/h\")"));
-        }
-    };
-    let value: f64 =
-        number.parse().map_err(|_| format!("`{number}` is not a number (write \"250 km/h\")"))?;
+    let value: f64 = number
+        .trim()
+        .parse()
+        .map_err(|_| format!("`{}` is not a number (write \"250 km/h\")", number.trim()))?;
     Ok(value * factor)
 }
 

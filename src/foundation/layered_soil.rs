@@ -11,25 +11,19 @@ pub struct LayeredSoil {
     profile: Profile,
     solver: Solver,
     strip: Strip,
-    relative: f64,
 }
 
 impl LayeredSoil {
-    /// `profile` under a `strip`, to a `relative` accuracy of single stiffnesses (1e-9 and looser are reachable).
+    /// `profile` under a `strip`.
     ///
     /// # Errors
     /// A half-width that is not finite and positive.
-    pub fn new(
-        profile: Profile,
-        solver: Solver,
-        strip: Strip,
-        relative: f64,
-    ) -> Result<Self, FoundationError> {
+    pub fn new(profile: Profile, solver: Solver, strip: Strip) -> Result<Self, FoundationError> {
         let value = strip.half_width;
         if !(value.is_finite() && value > 0.0) {
             return Err(FoundationError::NotPositive { quantity: "contact half-width", value, unit: "m" });
         }
-        Ok(Self { profile, solver, strip, relative })
+        Ok(Self { profile, solver, strip })
     }
 
     /// The ground.
@@ -67,9 +61,9 @@ impl LayeredSoil {
 }
 
 impl Foundation for LayeredSoil {
-    fn stiffness(&self, beta: f64, omega: f64) -> Result<Stiffness, FoundationError> {
+    fn stiffness_to(&self, beta: f64, omega: f64, relative: f64) -> Result<Stiffness, FoundationError> {
         self.check(if omega == 0.0 { 0.0 } else { (omega / beta).abs() })?;
-        let estimate = self.prepare(omega).strip(beta, self.strip, self.relative);
+        let estimate = self.prepare(omega).strip(beta, self.strip, relative);
         Ok(Stiffness {
             value: 1.0 / estimate.value,
             relative_error: estimate.error / estimate.value.norm(),

@@ -30,11 +30,19 @@ pub struct Moving<'a> {
 
 /// A foundation.
 pub trait Foundation: Send + Sync {
-    /// k(β, ω) [N/m²] at wavenumber `beta` [rad/m] along the track and `omega` [rad/s].
+    /// k(β, ω) [N/m²] to 1e-8 at wavenumber `beta` [rad/m] along the track and `omega` [rad/s].
     ///
     /// # Errors
     /// Where the foundation has no finite stiffness there.
-    fn stiffness(&self, beta: f64, omega: f64) -> Result<Stiffness, FoundationError>;
+    fn stiffness(&self, beta: f64, omega: f64) -> Result<Stiffness, FoundationError> {
+        self.stiffness_to(beta, omega, 1e-8)
+    }
+
+    /// The same to a `relative` accuracy of one's own.
+    ///
+    /// # Errors
+    /// As `stiffness`.
+    fn stiffness_to(&self, beta: f64, omega: f64, relative: f64) -> Result<Stiffness, FoundationError>;
 
     /// k along the line ω = −βv of a constant load at `speed` [m/s], good for `from` ≤ β ≤ `to` [rad/m] and many values;
     /// `allowed(β, k)` is the error of 1/k [m²/N] that the caller can bear there.

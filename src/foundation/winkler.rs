@@ -41,7 +41,7 @@ impl Winkler {
 }
 
 impl Foundation for Winkler {
-    fn stiffness(&self, _beta: f64, omega: f64) -> Result<Stiffness, FoundationError> {
+    fn stiffness_to(&self, _beta: f64, omega: f64, _relative: f64) -> Result<Stiffness, FoundationError> {
         Ok(Stiffness { value: self.at(omega), relative_error: 0.0, converged: true })
     }
 

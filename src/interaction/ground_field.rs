@@ -391,15 +391,20 @@ impl GroundField<'_> {
         use rayon::prelude::*;
         let lead = self.train.axles()[0].position;
         let columns = x.len();
+        let largest = |side: &[f64]| side.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+        let reach = (largest(x) + self.train.length()).hypot(largest(y));
+        let far = far.map(|far| far.table(blend, reach));
+        // ℓ = 0: the table would have no innermost radius; the field is of degree −1 in r
+        let near = near.map(|near| (near, near.table(blend, reach)));
         let Some(slice) = values.as_slice_mut() else { return };
         slice.par_chunks_mut(columns).zip(y).for_each(|(line, &y)| {
             for (value, &x) in line.iter_mut().zip(x) {
                 for axle in self.train.axles() {
                     let x = x + axle.position - lead;
-                    if let Some(far) = far {
-                        *value += axle.load * far.image(x, y, blend);
+                    if let Some(far) = &far {
+                        *value += axle.load * far.at(x, y);
                     }
-                    if let Some(near) = near {
+                    if let Some((near, table)) = &near {
                         // at the load itself the mean of 1/r over one cell: 4 ln(1 + √2)/spacing
                         let at_load = x.hypot(y) < 1e-6 * spacing;
                         let image = if at_load {
@@ -407,7 +412,7 @@ impl GroundField<'_> {
                         } else {
                             near.image(x, y, 0.0)
                         };
-                        *value += axle.load * (image - near.image(x, y, blend));
+                        *value += axle.load * (image - table.at(x, y));
                     }
                 }
             }

@@ -84,11 +84,11 @@ impl<'a> TrackOnFoundation<'a> {
 
     /// The largest wavenumber that matters [rad/m], beyond which ∫ |ũ| dβ ≈ |ũ|β/3 is below the accuracy, and ∫ |ũ| dβ.
     fn extent(&self, speed: f64) -> Result<(f64, f64), InteractionError> {
-        const RATIO: f64 = 1.5;
-        let mut beta = 0.02;
+        const RATIO: f64 = 1.3;
+        let mut beta = 0.05;
         let mut sum = 0.0;
         loop {
-            let stiffness = self.foundation.stiffness(beta, -beta * speed)?.value;
+            let stiffness = self.foundation.stiffness_to(beta, -beta * speed, 1e-3)?.value;
             // the envelope of the load's spectrum, not its zeros
             let load = (1.0 + (beta * self.half_length).powi(2)).sqrt().recip();
             let u = self.stack.respond(beta, -beta * speed, stiffness).rail.norm() * load;
@@ -189,10 +189,10 @@ impl MovingSpectrum<'_> {
         u.base * stiffness
     }
 
-    /// The wavenumber [rad/m] beyond which less than 1e-4 of the load reaches the ground: the track spreads it.
+    /// The wavenumber [rad/m] beyond which less than 1e-3 of the load reaches the ground: the track spreads it.
     pub fn force_extent(&self) -> f64 {
         let mut beta = self.beta_max;
-        while beta > 0.1 && self.force(beta).norm() < 1e-4 {
+        while beta > 0.1 && self.force(beta).norm() < 1e-3 {
             beta *= 0.95;
         }
         beta

@@ -128,6 +128,25 @@ pub fn inverse_2d(
         .collect()
 }
 
+/// Harmonics g_n = (1/N) Σ g(θ_i) e^{−inθ_i} of N samples at θ_i = 2π(i + ½)/N: n = 0, 1, … and, from the end, n = −1, −2, …
+///
+/// The half step keeps samples off θ = 0 and ±π/2 (N a multiple of 4).
+pub fn harmonics(mut samples: Vec<Complex64>) -> Vec<Complex64> {
+    let count = samples.len();
+    rustfft::FftPlanner::new().plan_fft_forward(count).process(&mut samples);
+    for (i, value) in samples.iter_mut().enumerate() {
+        let n = if i <= count / 2 { i as f64 } else { i as f64 - count as f64 };
+        *value *= Complex64::cis(-PI * n / count as f64) / count as f64;
+    }
+    samples
+}
+
+/// Σ g_n e^{inφ_i} at φ_i = 2πi/N from N harmonics in the order of [`harmonics`].
+pub fn from_harmonics(mut harmonics: Vec<Complex64>) -> Vec<Complex64> {
+    rustfft::FftPlanner::new().plan_fft_inverse(harmonics.len()).process(&mut harmonics);
+    harmonics
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -149,6 +168,22 @@ mod tests {
             let (x, y) = (-5.0 + 0.25 * i as f64, -3.0 + 0.2 * j as f64);
             assert!((value - (-0.5 * (x - 1.0).powi(2) - y * y).exp()).abs() < 1e-13);
         }
+    }
+
+    #[test]
+    fn harmonics_of_a_cosine() {
+        // g = 3 + 2 cos 5θ + i sin θ: g_0 = 3, g_±5 = 1, g_±1 = ±½
+        let samples = (0..64)
+            .map(|i| {
+                let theta = TAU * (f64::from(i) + 0.5) / 64.0;
+                Complex64::new(3.0 + 2.0 * (5.0 * theta).cos(), theta.sin())
+            })
+            .collect();
+        let g = harmonics(samples);
+        for (n, expected) in [(0, 3.0), (5, 1.0), (59, 1.0), (1, 0.5), (63, -0.5), (2, 0.0)] {
+            assert!((g[n] - expected).norm() < 1e-14, "{n}: {}", g[n]);
+        }
+        assert!((from_harmonics(g)[0] - 5.0).norm() < 1e-13);
     }
 
     #[test]

@@ -30,7 +30,7 @@ fn turned<const N: usize>(mut a: SMatrix<Complex64, N, N>) -> SMatrix<Complex64,
 /// Inverse of a symmetric 2 × 2 block; not finite where the block is singular, as at an undamped resonance.
 #[inline]
 pub(super) fn inverse_symmetric(a: &Matrix2<Complex64>) -> Matrix2<Complex64> {
-    let scale = 1.0 / (a[(0, 0)] * a[(1, 1)] - a[(0, 1)] * a[(0, 1)]);
+    let scale = (a[(0, 0)] * a[(1, 1)] - a[(0, 1)] * a[(0, 1)]).inv();
     let off = -a[(0, 1)] * scale;
     Matrix2::new(a[(1, 1)] * scale, off, off, a[(0, 0)] * scale)
 }

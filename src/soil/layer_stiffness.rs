@@ -37,13 +37,12 @@ pub(super) struct LayerStiffness<const N: usize> {
 impl LayerStiffness<2> {
     /// In-plane stiffness of a layer of `thickness` [m].
     pub fn layer(wave: &Wave, thickness: f64, k: f64) -> Self {
-        let Wave { mu, ks2, kp2, gamma } = *wave;
+        let Wave { mu, ks2, kp2, gamma, inv_difference } = *wave;
         let (p, s) = wave.vertical(k);
         let h = thickness;
         let (p2, s2) = (k * k - kp2, k * k - ks2);
         let (e_p, e_s) = ((-p * h).exp(), (-s * h).exp());
-        let (plus_p, plus_s) = (1.0 + e_p, 1.0 + e_s);
-        let (inv_p, inv_s) = (1.0 / plus_p, 1.0 / plus_s);
+        let (inv_p, inv_s) = ((1.0 + e_p).inv(), (1.0 + e_s).inv());
         // f(x) = tanh(xa)/x = (1 − e^{−xh})/(x (1 + e^{−xh}))
         let f_p = h * one_minus_exp_over(p * h, e_p) * inv_p;
         let f_s = h * one_minus_exp_over(s * h, e_s) * inv_s;
@@ -52,25 +51,33 @@ impl LayerStiffness<2> {
         let sech_s = 4.0 * e_s * inv_s * inv_s;
 
         let sum = p + s;
+        let inv_sum = sum.inv();
         let difference = ks2 - kp2; // p² − s², exact
-        let gap = difference / sum; // p − s, free of cancellation
-        let x = gap * h;
+        let x = difference * inv_sum * h; // (p − s)h, free of cancellation
         // (e^{−sh} − e^{−ph})/(p − s)
-        let q = if x.norm_sqr() > 0.04 { (e_s - e_p) / gap } else { e_s * h * one_minus_exp_series(x) };
+        let q = if x.norm_sqr() > 0.04 {
+            (e_s - e_p) * (sum * inv_difference)
+        } else {
+            e_s * h * one_minus_exp_series(x)
+        };
         let inv_w = inv_p * inv_s;
         // F: plain difference where p² and s² are well apart, else tanh a − tanh b = sinh(a − b)/(cosh a cosh b)
         let f = if difference.norm_sqr() > 0.0625 * p2.norm_sqr() {
-            (f_p - f_s) / difference
+            (f_p - f_s) * inv_difference
         } else {
             (2.0 * s * q * inv_w - s * f_s) / (p * s * sum)
         };
-        // divided difference of sech²(xa) over (p², s²)
-        let sech = -4.0 * q * inv_w * inv_w * h * one_minus_exp_over(sum * h, e_p * e_s);
+        // divided difference of sech²(xa) over (p², s²); (1 − e^{−(p+s)h})/(p + s) as a series where it is small
+        let both = sum * h;
+        let ratio =
+            if both.norm_sqr() > 0.04 { (1.0 - e_p * e_s) * inv_sum } else { h * one_minus_exp_series(both) };
+        let sech = -4.0 * q * inv_w * inv_w * ratio;
 
         let rest = (1.0 - gamma) * (k * k);
         let d_even = gamma * f_p - rest * f;
         let d_odd = f_s + rest * f;
-        let (inv_even, inv_odd) = (1.0 / d_even, 1.0 / d_odd);
+        let inv_both = (d_even * d_odd).inv();
+        let (inv_even, inv_odd) = (d_odd * inv_both, d_even * inv_both);
         let ff = f_p * f_s;
         let half = 0.5 * mu;
         let off = half * k * (4.0 - f_s * inv_even - f_p * inv_odd);
@@ -81,7 +88,7 @@ impl LayerStiffness<2> {
             half * (inv_even + s2 * ff * inv_odd),
         );
         // K₊ − K₋, every term with its e^{−xh} in front
-        let scale = half * inv_even * inv_odd;
+        let scale = half * inv_both;
         // divided difference of sinh(xh)/(2x), times sech²(pa) sech²(sa)
         let g = rest * (sech_p * f - f_p * sech);
         let off = scale * k * (1.0 - gamma) * sech;

@@ -15,6 +15,8 @@ pub(crate) struct Wave {
     pub kp2: Complex64,
     /// γ = μ*/(λ + 2μ)* = k_p²/k_s² = (1 − 2ν)/(2(1 − ν))
     pub gamma: Complex64,
+    /// 1/(k_s² − k_p²) = 1/(p² − s²) [m²/rad²]; infinite at ω = 0.
+    pub inv_difference: Complex64,
 }
 
 impl Wave {
@@ -22,7 +24,8 @@ impl Wave {
         let mu = material.complex_shear_modulus(omega);
         let gamma = mu / material.complex_p_modulus(omega);
         let ks2 = omega * omega * material.density() / mu;
-        Self { mu, ks2, kp2: gamma * ks2, gamma }
+        let kp2 = gamma * ks2;
+        Self { mu, ks2, kp2, gamma, inv_difference: (ks2 - kp2).inv() }
     }
 
     /// p = √(k² − k_p²), s = √(k² − k_s²), Re ≥ 0 [rad/m]

@@ -76,9 +76,6 @@ enum FoundationChoice {
     Winkler(Winkler),
 }
 
-/// Relative accuracy of single equivalent stiffnesses.
-const ACCURACY: f64 = 1e-8;
-
 impl Model {
     /// A model from its parts.
     ///
@@ -93,7 +90,7 @@ impl Model {
         let foundation = match (&support, contact.strip()) {
             (Support::Winkler(springs), _) => Some(FoundationChoice::Winkler(*springs)),
             (Support::Ground(profile, solver), Some(strip)) => {
-                Some(FoundationChoice::Ground(LayeredSoil::new(profile.clone(), *solver, strip, ACCURACY)?))
+                Some(FoundationChoice::Ground(LayeredSoil::new(profile.clone(), *solver, strip)?))
             }
             (Support::Ground(..), None) => None,
         };

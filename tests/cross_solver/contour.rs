@@ -50,7 +50,7 @@ fn direct(profile: &Profile, force: &dyn Fn(f64) -> Complex64, speed: f64, x: f6
 fn ballasted_track_against_direct_integration() {
     let profile = named("paper_layered");
     let strip = Strip { half_width: B, compatibility: Compatibility::Centre };
-    let soil = LayeredSoil::new(profile.clone(), Solver::DirectStiffness, strip, 1e-7).unwrap();
+    let soil = LayeredSoil::new(profile.clone(), Solver::DirectStiffness, strip).unwrap();
     let stack = tracks::ballasted();
     let track = TrackOnFoundation::new(&stack, &soil, 0.0);
     let train = Train::new(vec![Axle { position: 0.0, load: 150e3 }]).unwrap();

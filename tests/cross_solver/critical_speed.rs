@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 fn soil(compatibility: groundwave::soil::Compatibility) -> LayeredSoil {
     let strip = Strip { half_width: 1.25, compatibility };
-    LayeredSoil::new(named("paper_layered"), Solver::DirectStiffness, strip, 1e-8).unwrap()
+    LayeredSoil::new(named("paper_layered"), Solver::DirectStiffness, strip).unwrap()
 }
 
 #[test]
