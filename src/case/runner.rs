@@ -6,6 +6,7 @@ use crate::dataset::{Attribute, Dataset};
 use crate::output::{OutputError, csv, hdf5, json, plot};
 use crate::progress::Observer;
 use crate::study::{Answer, Outcome, StudyError};
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -191,14 +192,18 @@ fn write(
     }
     let groups = outcomes.iter().map(|(_, o)| o.group.clone()).collect();
     hdf5::write(&Dataset { attributes, groups }, &folder.join("results.h5"))?;
-    let mut pictures = Vec::new();
     for (_, outcome) in outcomes {
         csv::write(&outcome.group, folder)?;
-        for (figure, caption) in &outcome.figures {
-            plot::write(figure, folder)?;
-            pictures.push((figure.title().to_owned(), caption.clone(), plot::svg(figure)?));
-        }
     }
+    // drawing a PNG takes longer than computing it
+    let pictures = outcomes
+        .par_iter()
+        .flat_map(|(_, outcome)| &outcome.figures)
+        .map(|(figure, caption)| {
+            plot::write(figure, folder)?;
+            Ok((figure.title().to_owned(), caption.clone(), plot::svg(figure)?))
+        })
+        .collect::<Result<Vec<_>, OutputError>>()?;
     json::write(&summary(case, outcomes, concerns), &folder.join("summary.json"))?;
     let html = report::report(case, outcomes, concerns, pictures).html();
     let path = folder.join("report.html");
