@@ -214,11 +214,8 @@ impl GroundField<'_> {
         let far: Vec<Option<FarField>> = quantities
             .iter()
             .map(|&quantity| match base {
-                // a velocity is bounded at k = 0 and needs no far field
-                Some(material) if quantity != Quantity::VerticalVelocity => {
-                    FarField::new(&material, self.solver, self.speed, quantity).map(Some)
-                }
-                _ => Ok(None),
+                Some(material) => FarField::new(&material, self.solver, self.speed, quantity).map(Some),
+                None => Ok(None),
             })
             .collect::<Result<_, _>>()?;
         let near: Vec<Option<FarField>> = quantities
@@ -244,7 +241,16 @@ impl GroundField<'_> {
             let mut value = Array2::from_shape_fn((y.len(), x.len()), |(row, column)| {
                 field[(row * grid.thinning.0, column * grid.thinning.1)]
             });
-            self.add_images(&mut value, &x, &y, blend, far[i].as_ref(), near[i].as_ref(), window.spacing);
+            self.add_images(
+                quantities[i],
+                &mut value,
+                &x,
+                &y,
+                blend,
+                far[i].as_ref(),
+                near[i].as_ref(),
+                window.spacing,
+            );
             let largest = value.iter().fold(0.0f64, |m, v| m.max(v.abs()));
             wrap_around = wrap_around.max(self.border(field, grid) / largest);
             aliasing = aliasing.max(self.beyond(quantities[i], grid) / largest);
@@ -348,13 +354,20 @@ impl GroundField<'_> {
                 out[i][count / 2] = Complex64::ZERO;
             }
             if beta_x == 0.0 {
-                out[i][0] = self.origin(quantity, grid, blend, &far[i]);
+                out[i][0] = self.origin(quantity, grid, blend, &far[i], &near[i]);
             }
         }
     }
 
     /// The bounded remainder at k = 0: its mean over a circle well inside the first cell.
-    fn origin(&self, quantity: Quantity, grid: &Grid, blend: f64, far: &Option<FarField>) -> Complex64 {
+    fn origin(
+        &self,
+        quantity: Quantity,
+        grid: &Grid,
+        blend: f64,
+        far: &Option<FarField>,
+        near: &Option<FarField>,
+    ) -> Complex64 {
         const POINTS: usize = 64;
         let k = 1e-3 * grid.x.beta_step().min(grid.y.beta_step());
         let sum: Complex64 = (0..POINTS)
@@ -365,10 +378,17 @@ impl GroundField<'_> {
                 let force = if cos >= 0.0 { self.force(k * cos) } else { self.force(-k * cos).conj() };
                 let mut value =
                     force * self.across(k * sin) * component(quantity, &ground.surface(k), cos, sin);
-                if let (Some(_), Base::HalfSpace(material)) = (far, self.profile.base()) {
+                let half_space = |material| {
                     let profile = Profile::new(Vec::new(), Base::HalfSpace(material)).ok()?;
-                    let base = self.solver.prepare(&profile, omega, &[]).ok()?.surface(k);
-                    value -= self.phases(k * cos) * (-k * blend).exp() * component(quantity, &base, cos, sin);
+                    let ground = self.solver.prepare(&profile, omega, &[]).ok()?;
+                    Some(self.phases(k * cos) * component(quantity, &ground.surface(k), cos, sin))
+                };
+                let fade = (-k * blend).exp();
+                if let (Some(_), Base::HalfSpace(material)) = (far, self.profile.base()) {
+                    value -= fade * half_space(material)?;
+                }
+                if near.is_some() {
+                    value -= (1.0 - fade) * half_space(*self.profile.top())?;
                 }
                 Some(if quantity == Quantity::VerticalVelocity { value * I * omega } else { value })
             })
@@ -380,6 +400,7 @@ impl GroundField<'_> {
     #[allow(clippy::too_many_arguments)]
     fn add_images(
         &self,
+        quantity: Quantity,
         values: &mut Array2<f64>,
         x: &[f64],
         y: &[f64],
@@ -396,24 +417,37 @@ impl GroundField<'_> {
         let far = far.map(|far| far.table(blend, reach));
         // ℓ = 0: the table would have no innermost radius; the field is of degree −1 in r
         let near = near.map(|near| (near, near.table(blend, reach)));
+        let image = |x: f64, y: f64| {
+            let mut sum = far.as_ref().map_or(0.0, |far| far.at(x, y));
+            if let Some((near, table)) = &near {
+                // at the load itself the mean of 1/r over one cell: 4 ln(1 + √2)/spacing
+                let at_load = x.hypot(y) < 1e-6 * spacing;
+                let point = if at_load {
+                    near.mean() * 4.0 * (1.0 + 2.0f64.sqrt()).ln() / (TAU * spacing)
+                } else {
+                    near.image(x, y, 0.0)
+                };
+                sum += point - table.at(x, y);
+            }
+            sum
+        };
+        // v_z = −v ∂u_z/∂x′, over a step in which the images are smooth
+        let velocity = |x: f64, y: f64| {
+            let r = x.hypot(y);
+            // at the load itself the mean over one cell
+            let step = if r < 1e-6 * spacing { 0.5 * spacing } else { 0.02 * r.min(blend) };
+            -self.speed * (image(x + step, y) - image(x - step, y)) / (2.0 * step)
+        };
         let Some(slice) = values.as_slice_mut() else { return };
         slice.par_chunks_mut(columns).zip(y).for_each(|(line, &y)| {
             for (value, &x) in line.iter_mut().zip(x) {
                 for axle in self.train.axles() {
                     let x = x + axle.position - lead;
-                    if let Some(far) = &far {
-                        *value += axle.load * far.at(x, y);
-                    }
-                    if let Some((near, table)) = &near {
-                        // at the load itself the mean of 1/r over one cell: 4 ln(1 + √2)/spacing
-                        let at_load = x.hypot(y) < 1e-6 * spacing;
-                        let image = if at_load {
-                            near.mean() * 4.0 * (1.0 + 2.0f64.sqrt()).ln() / (TAU * spacing)
-                        } else {
-                            near.image(x, y, 0.0)
-                        };
-                        *value += axle.load * (image - table.at(x, y));
-                    }
+                    let image = match quantity {
+                        Quantity::VerticalVelocity => velocity(x, y),
+                        _ => image(x, y),
+                    };
+                    *value += axle.load * image;
                 }
             }
         });

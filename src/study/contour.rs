@@ -16,6 +16,9 @@ use num_complex::Complex64;
 /// Wrap-around and aliasing relative to the peak above which they are a concern.
 const TOLERABLE: f64 = 5e-3;
 
+/// Samples of a transform beyond which the clearance is not widened any more.
+const MOST_SAMPLES: usize = 12_000_000;
+
 /// Maps of the ground's surface in the moving frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contour {
@@ -102,12 +105,21 @@ impl Contour {
         if profile.is_undamped() && speed.abs() >= slowest {
             return Err(FoundationError::Undamped { phase_speed: speed, slowest }.into());
         }
-        let compute = |load, k: f64| {
+        // the distance at which waves have faded is estimated first, then measured
+        let compute = |load: GroundLoad, k: f64| -> Result<Field, StudyError> {
             let field = GroundField { profile, solver, speed, train, load };
-            let clearance = self.clearance.unwrap_or_else(|| fading_distance(profile, k));
-            self.check_memory(&field, clearance)?;
-            let grid = field.grid(&self.window, clearance);
-            Ok(field.compute(&self.window, &grid, &self.quantities)?)
+            let mut clearance = self.clearance.unwrap_or_else(|| fading_distance(profile, k));
+            loop {
+                self.check_memory(&field, clearance)?;
+                let grid = field.grid(&self.window, clearance);
+                let result = field.compute(&self.window, &grid, &self.quantities)?;
+                let samples = grid.x.period_count * grid.y.period_count;
+                let faded = result.wrap_around <= TOLERABLE || self.clearance.is_some();
+                if faded || samples > MOST_SAMPLES {
+                    return Ok(result);
+                }
+                clearance *= 2.0;
+            }
         };
         match *model.contact() {
             Contact::Strip(strip) => {
@@ -123,10 +135,10 @@ impl Contour {
             }
             Contact::Patch { half_length, strip } => {
                 let force = |beta: f64| Complex64::from(sinc(beta * half_length));
-                // as for the strip's edges: ten radians
+                // sixteen radians over the half-length: the rest of sinc is 0.3 % of the peak
                 let load = GroundLoad::Strip {
                     force: &force,
-                    beta_max: 31.4 / half_length,
+                    beta_max: 16.0 / half_length,
                     half_width: strip.half_width,
                 };
                 compute(load, 1.0 / half_length)

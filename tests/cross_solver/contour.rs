@@ -91,3 +91,80 @@ fn ballasted_track_against_direct_integration() {
         assert!(worst < 5e-3, "{worst}");
     }
 }
+
+/// Two layers and a half-space of one material: the transform works, the answer is the half-space's.
+fn disguised_half_space(eta: f64) -> Profile {
+    crate::common::profile(
+        &[(1.5, 50e6, 0.3, 1800.0, eta), (3.0, 50e6, 0.3, 1800.0, eta)],
+        (50e6, 0.3, 1800.0, eta),
+    )
+}
+
+#[test]
+fn horizontal_displacement_under_a_point_load_at_rest() {
+    // Boussinesq: u_r = −(1 − 2ν)F/(4πμr) at the surface, towards the load
+    let profile = disguised_half_space(0.0);
+    let train = Train::new(vec![Axle { position: 0.0, load: 1e5 }]).unwrap();
+    let field = GroundField {
+        profile: &profile,
+        solver: Solver::DirectStiffness,
+        speed: 0.0,
+        train: &train,
+        load: GroundLoad::Point,
+    };
+    let window = Window { x: (-20.0, 20.0), y: (-15.0, 15.0), spacing: 0.5 };
+    let grid = field.grid(&window, 100.0);
+    let result =
+        field.compute(&window, &grid, &[Quantity::Along, Quantity::Across, Quantity::Vertical]).unwrap();
+    let mu = profile.top().shear_modulus();
+    let (mut worst, mut largest) = (0.0f64, 0.0f64);
+    for (row, y) in result.y.iter().enumerate() {
+        for (column, x) in result.x.iter().enumerate() {
+            let r = x.hypot(*y);
+            if r < 1.0 {
+                continue;
+            }
+            let u_r = -(1.0 - 0.6) * 1e5 / (4.0 * PI * mu * r);
+            let u_z = (1.0 - 0.3) * 1e5 / (2.0 * PI * mu * r);
+            for (i, exact) in [u_r * x / r, u_r * y / r, u_z].into_iter().enumerate() {
+                worst = worst.max((result.values[i][(row, column)] - exact).abs());
+                largest = largest.max(exact.abs());
+            }
+        }
+    }
+    println!("{:e}", worst / largest);
+    assert!(worst < 1e-6 * largest, "{:e}", worst / largest);
+}
+
+#[test]
+fn velocity_is_the_slope_of_the_moving_field() {
+    // v_z = −v ∂u_z/∂x′ by central differences
+    let profile = named("paper_layered");
+    let strip = Strip { half_width: B, compatibility: Compatibility::Centre };
+    let soil = LayeredSoil::new(profile.clone(), Solver::DirectStiffness, strip).unwrap();
+    let stack = tracks::ballasted();
+    let track = TrackOnFoundation::new(&stack, &soil, 0.0);
+    let train =
+        Train::new(vec![Axle { position: 0.0, load: 150e3 }, Axle { position: 2.5, load: 120e3 }]).unwrap();
+    let speed = 137.0;
+    let spectrum = track.spectrum(speed).unwrap();
+    let force = |beta: f64| spectrum.force(beta);
+    let load = GroundLoad::Strip { force: &force, beta_max: spectrum.force_extent(), half_width: B };
+    let field =
+        GroundField { profile: &profile, solver: Solver::DirectStiffness, speed, train: &train, load };
+    let window = Window { x: (-20.0, 10.0), y: (0.0, 10.0), spacing: 0.1 };
+    let grid = field.grid(&window, 150.0);
+    let result = field.compute(&window, &grid, &[Quantity::Vertical, Quantity::VerticalVelocity]).unwrap();
+    let (u, v) = (&result.values[0], &result.values[1]);
+    let (mut worst, mut largest) = (0.0f64, 0.0f64);
+    for row in 0..result.y.len() {
+        for column in 1..result.x.len() - 1 {
+            let slope = (u[(row, column + 1)] - u[(row, column - 1)]) / 0.2;
+            worst = worst.max((v[(row, column)] + speed * slope).abs());
+            largest = largest.max(v[(row, column)].abs());
+        }
+    }
+    println!("{:e}", worst / largest);
+    // measured 8e-3, the truncation of the differences: (0.1 β)²/6 at β = 2
+    assert!(worst < 1.5e-2 * largest, "{:e}", worst / largest);
+}
