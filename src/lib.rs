@@ -42,6 +42,9 @@
 //! | `wave_speed` | C_b | of compression waves in the ballast | m/s |
 //! | `load` | P | axle load, positive down | N |
 
+// Units stand in brackets all over the documentation: [m] and [N] are no links.
+#![allow(rustdoc::broken_intra_doc_links)]
+
 pub mod case;
 pub mod concern;
 pub mod dataset;
