@@ -1,4 +1,50 @@
-//! groundwave
+#![doc = include_str!("../README.md")]
+//!
+//! ---
+//!
+//! # Map of the crate
+//!
+//! A module uses only modules of lower rank.
+//!
+//! | rank | module | what |
+//! |---|---|---|
+//! | 0 | [`math`] | quadrature, Fourier transforms with their signs and scales, interpolation, maxima |
+//! | 0 | [`concern`], [`dataset`], [`figure`], [`progress`] | what studies hand on: doubts, arrays, pictures, progress |
+//! | 1 | [`soil`] | material → profile → compliance G(k, ω); the integral over a loaded strip |
+//! | 1 | [`track`] | members (beams, masses) and links (springs, bars) in a vertical stack |
+//! | 1 | [`vehicle`] | axle loads |
+//! | 2 | [`foundation`] | what a track stands on: k(β, ω), of springs or of layered ground |
+//! | 2 | [`output`] | HDF5, CSV, JSON, pictures, report |
+//! | 3 | [`interaction`] | a track on a foundation under moving loads; the field in the ground |
+//! | 4 | [`study`] | one file per question: critical speed, track response, contour, tables |
+//! | 5 | [`case`](mod@case) | case files, their checks, the library of parameter sets, the runner |
+//!
+//! # Symbols
+//!
+//! | in the code | symbol | meaning | unit |
+//! |---|---|---|---|
+//! | `x`, `y`, `z` | x, y, z | along the track, across it, down; in results `x` is x′ = x − vt | m |
+//! | `beta` | β | wavenumber along the track | rad/m |
+//! | `k` (in `soil`) | k | radial wavenumber √(β_x² + β_y²) | rad/m |
+//! | `k_eq`, `stiffness` | k_eq | stiffness of the ground or a foundation per metre of track | N/m² |
+//! | `omega`, `frequency` | ω, f | angular frequency, frequency | rad/s, Hz |
+//! | `speed` | v | of the train; ω = −βv | m/s |
+//! | `u_zz`, `u_xx`, `u_xz`, `u_yy` | G | displacement per unit traction wave | m/Pa |
+//! | `c_s`, `c_p` | c_s, c_p | shear and pressure wave speed | m/s |
+//! | `young`, `poisson`, `density` | E, ν, ρ | of a material | Pa, 1, kg/m³ |
+//! | `shear_modulus` | μ | shear modulus | Pa |
+//! | `loss_factor` | η | hysteretic damping, M(1 + iη sgn ω) | 1 |
+//! | `damping_ratio` | ξ | η/2 | 1 |
+//! | `damping` | c | viscous damping, k + iωc | N s/m² |
+//! | `bending_stiffness` | EI | of a beam | N m² |
+//! | `half_width` | b | half the contact width | m |
+//! | `alpha` | α | share of the contact width that carries the ballast | 1 |
+//! | `wave_speed` | C_b | of compression waves in the ballast | m/s |
+//! | `load` | P | axle load, positive down | N |
+
+// Units stand in brackets all over the documentation: [m] and [N] are no links.
+#![allow(rustdoc::broken_intra_doc_links)]
+
 pub mod case;
 pub mod concern;
 pub mod dataset;
@@ -12,3 +58,15 @@ pub mod soil;
 pub mod study;
 pub mod track;
 pub mod vehicle;
+
+pub use case::Case;
+pub use concern::Concern;
+pub use foundation::{Foundation, LayeredSoil, Winkler};
+pub use interaction::TrackOnFoundation;
+pub use progress::{Observer, Silent};
+pub use soil::{
+    Base, Compatibility, DirectStiffness, Elastic, GroundSolver, Layer, Material, Profile, Solver, Strip,
+};
+pub use study::{Model, Outcome, Study};
+pub use track::{Ballast, Ballasted, Link, Member, Slab, Stack};
+pub use vehicle::{Axle, Train};
