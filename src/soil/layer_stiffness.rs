@@ -53,13 +53,17 @@ impl LayerStiffness<2> {
 
         let sum = p + s;
         let difference = ks2 - kp2; // p² − s², exact
-        let gap = difference / sum; // p − s, free of cancellation
+        // p − s, free of cancellation; at k = ω = 0 both vanish
+        let gap = if sum == Complex64::ZERO { sum } else { difference / sum };
         let x = gap * h;
         // (e^{−sh} − e^{−ph})/(p − s)
         let q = if x.norm_sqr() > 0.04 { (e_s - e_p) / gap } else { e_s * h * one_minus_exp_series(x) };
         let inv_w = inv_p * inv_s;
-        // F: plain difference where p² and s² are well apart, else tanh a − tanh b = sinh(a − b)/(cosh a cosh b)
-        let f = if difference.norm_sqr() > 0.0625 * p2.norm_sqr() {
+        // F: plain difference where p² and s² are well apart, else tanh a − tanh b = sinh(a − b)/(cosh a cosh b);
+        // −a³/3 at k = ω = 0
+        let f = if sum == Complex64::ZERO {
+            Complex64::from(-h * h * h / 24.0)
+        } else if difference.norm_sqr() > 0.0625 * p2.norm_sqr() {
             (f_p - f_s) / difference
         } else {
             (2.0 * s * q * inv_w - s * f_s) / (p * s * sum)
