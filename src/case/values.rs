@@ -14,12 +14,9 @@ pub struct Speed(pub f64);
 /// "250 km/h", "70 m/s" → m/s.
 fn parse_speed(text: &str) -> Result<f64, String> {
     let text = text.trim();
-    let split = text.find(|c: char| c.is_alphabetic()).unwrap_or(text.len());
-    // the exponent of 1e2 is a letter too
-    let split = match text[..split].trim().parse::<f64>() {
-        Ok(_) => split,
-        Err(_) => text.rfind(' ').unwrap_or(split),
-    };
+    // the longest beginning that is a number: the exponent of 1e2 is a letter too
+    let number = |end: &usize| text.get(..*end).is_some_and(|t| t.trim().parse::<f64>().is_ok());
+    let split = (0..=text.len()).rev().find(number).unwrap_or(0);
     let (number, unit) = (text[..split].trim(), text[split..].trim());
     let factor = match unit {
         "km/h" => 1.0 / 3.6,
