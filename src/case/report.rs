@@ -128,6 +128,15 @@ fn assumptions(model: &Model) -> Vec<String> {
     list
 }
 
+/// Every input: the case file, then each parameter set it names.
+fn inputs(case: &Case) -> String {
+    let mut text = case.text.trim_end().to_owned();
+    for (name, set) in case.files.iter().filter(|(name, _)| name.ends_with(".toml")) {
+        text += &format!("\n\n# ======== {name} ========\n\n{}", set.trim_end());
+    }
+    text
+}
+
 /// The report of a finished run.
 pub fn report(
     case: &Case,
@@ -145,7 +154,7 @@ pub fn report(
             .collect(),
         figures,
         tables: [ground_table(&case.model), train_table(&case.model)].into_iter().flatten().collect(),
-        case_text: case.text.clone(),
+        case_text: inputs(case),
         assumptions: assumptions(&case.model),
         concerns: concerns.to_vec(),
         references: case.references.clone(),

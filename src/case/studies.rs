@@ -157,12 +157,14 @@ fn track_response(
         .enumerate()
         .map(|(i, m)| record(m, &format!("track_response.measured[{i}]"), files))
         .collect::<Result<_, _>>()?;
-    Ok(TrackResponse {
-        speeds: speeds(&input.speeds, "track_response.speeds")?,
-        x,
-        spacing: positive(input.spacing.unwrap_or(0.1), "track_response.spacing", "m")?,
-        records,
-    })
+    let spacing = positive(input.spacing.unwrap_or(0.1), "track_response.spacing", "m")?;
+    let length = x.map_or(1000.0, |(from, to)| to - from);
+    if length / spacing >= MOST as f64 {
+        let found =
+            format!("a spacing of {spacing} m makes {:.0} positions, more than {MOST}", length / spacing);
+        return Err(Finding::new("track_response.spacing", found).help("use a larger spacing"));
+    }
+    Ok(TrackResponse { speeds: speeds(&input.speeds, "track_response.speeds")?, x, spacing, records })
 }
 
 fn contour(input: &ContourInput) -> Result<Contour, Finding> {

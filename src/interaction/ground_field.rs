@@ -151,9 +151,11 @@ pub struct Grid {
 impl Grid {
     /// Memory of the transform for `fields` quantities [bytes].
     pub fn bytes(&self, fields: usize) -> u64 {
-        let spectrum = 16 * self.rows as u64 * self.y.period_count as u64;
-        let result = 8 * self.x.period_count as u64 * self.y.period_count as u64;
-        fields as u64 * (spectrum + result)
+        let columns = self.y.period_count as f64;
+        let spectrum = 16.0 * self.rows as f64 * columns;
+        let result = 8.0 * self.x.period_count as f64 * columns;
+        // a conversion from f64 stops at the largest u64
+        (fields as f64 * (spectrum + result)) as u64
     }
 }
 
@@ -370,25 +372,29 @@ impl GroundField<'_> {
     ) -> Complex64 {
         const POINTS: usize = 64;
         let k = 1e-3 * grid.x.beta_step().min(grid.y.beta_step());
+        let fade = (-k * blend).exp();
+        let base = match (far, self.profile.base()) {
+            (Some(_), Base::HalfSpace(material)) => Profile::new(Vec::new(), Base::HalfSpace(material)).ok(),
+            _ => None,
+        };
+        let top =
+            near.as_ref().and_then(|_| Profile::new(Vec::new(), Base::HalfSpace(*self.profile.top())).ok());
         let sum: Complex64 = (0..POINTS)
             .filter_map(|i| {
                 let (sin, cos) = (TAU * (i as f64 + 0.5) / POINTS as f64).sin_cos();
                 let omega = -k * cos * self.speed;
-                let ground = self.solver.prepare(self.profile, omega, &[]).ok()?;
-                let force = if cos >= 0.0 { self.force(k * cos) } else { self.force(-k * cos).conj() };
-                let mut value =
-                    force * self.across(k * sin) * component(quantity, &ground.surface(k), cos, sin);
-                let half_space = |material| {
-                    let profile = Profile::new(Vec::new(), Base::HalfSpace(material)).ok()?;
-                    let ground = self.solver.prepare(&profile, omega, &[]).ok()?;
-                    Some(self.phases(k * cos) * component(quantity, &ground.surface(k), cos, sin))
+                let at = |profile: &Profile| {
+                    let ground = self.solver.prepare(profile, omega, &[]).ok()?;
+                    Some(component(quantity, &ground.surface(k), cos, sin))
                 };
-                let fade = (-k * blend).exp();
-                if let (Some(_), Base::HalfSpace(material)) = (far, self.profile.base()) {
-                    value -= fade * half_space(material)?;
+                let force = if cos >= 0.0 { self.force(k * cos) } else { self.force(-k * cos).conj() };
+                let mut value = force * self.across(k * sin) * at(self.profile)?;
+                if let Some(base) = &base {
+                    value -= self.phases(k * cos) * fade * at(base)?;
                 }
-                if near.is_some() {
-                    value -= (1.0 - fade) * half_space(*self.profile.top())?;
+                // the top layer's part tends to ℓ g(θ), not to zero
+                if let Some(top) = &top {
+                    value -= self.phases(k * cos) * (1.0 - fade) * at(top)?;
                 }
                 Some(if quantity == Quantity::VerticalVelocity { value * I * omega } else { value })
             })

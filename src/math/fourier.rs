@@ -54,17 +54,22 @@ impl Axis {
 
 /// The smallest even number ≥ `least` of the form 2ᵃ3ᵇ5ᶜ.
 pub fn fast_size(least: usize) -> usize {
-    (least.max(2)..)
-        .find(|&n| {
-            let mut rest = n;
-            for factor in [2, 3, 5] {
-                while rest % factor == 0 {
-                    rest /= factor;
-                }
-            }
-            rest == 1 && n % 2 == 0
-        })
-        .unwrap_or(least)
+    let least = least.max(2);
+    let mut best = least.checked_next_power_of_two().unwrap_or(usize::MAX - 1);
+    // every 3ᵇ5ᶜ with the smallest power of two that reaches `least`
+    let mut fives = 1usize;
+    while fives <= best {
+        let mut odd = fives;
+        while odd <= best {
+            let twos = least.div_ceil(odd).max(2).next_power_of_two();
+            best = best.min(odd.saturating_mul(twos));
+            let Some(next) = odd.checked_mul(3) else { break };
+            odd = next;
+        }
+        let Some(next) = fives.checked_mul(5) else { break };
+        fives = next;
+    }
+    best
 }
 
 /// Real fields u(y, x) at the first `count` (y, x) positions of two axes, one for each of the spectra that `row` fills.
@@ -189,5 +194,17 @@ mod tests {
     #[test]
     fn sizes_are_even_and_smooth() {
         assert_eq!([fast_size(7), fast_size(17), fast_size(1024), fast_size(1025)], [8, 18, 1024, 1080]);
+        for least in 1..3000 {
+            let mut rest = fast_size(least);
+            assert!(rest >= least && rest.is_multiple_of(2));
+            for factor in [2, 3, 5] {
+                while rest.is_multiple_of(factor) {
+                    rest /= factor;
+                }
+            }
+            assert_eq!(rest, 1);
+        }
+        // at once, however large
+        assert!(fast_size(60_000_000_001) >= 60_000_000_001);
     }
 }

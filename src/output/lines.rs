@@ -135,7 +135,14 @@ impl Plan {
         let mut taken = Vec::new();
         for series in &figure.series {
             for run in runs(series, figure) {
-                taken.extend(self.trail(&run));
+                if series.stroke == Stroke::Points {
+                    // a marker takes more room than its centre
+                    let around = [(0.0, 0.0), (-7.0, 0.0), (7.0, 0.0), (0.0, -7.0), (0.0, 7.0)];
+                    let centres: Vec<Point> = run.iter().map(|p| self.at(*p)).collect();
+                    taken.extend(centres.iter().flat_map(|c| around.map(|d| (c.0 + d.0, c.1 + d.1))));
+                } else {
+                    taken.extend(self.trail(&run));
+                }
             }
         }
         let frame = self.frame;

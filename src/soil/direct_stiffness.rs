@@ -1,7 +1,8 @@
 //! The direct stiffness method: exact layer matrices condensed from the base upward.
 //!
-//! Source: Kausel & Roësset 1981, in the form of `layer_stiffness`. Accuracy: 1e-11 of the largest entry for any
-//! kh and any ω/(k c_s), ω = 0 included (test `cross_solver::surface_compliance`).
+//! Source: Kausel & Roësset 1981, in the form of `layer_stiffness`. Accuracy: 1e-11 of the largest entry for kh → ∞ and
+//! any ω/(k c_s), ω = 0 included (test `cross_solver::surface_compliance`); a layer much thinner than 1/k costs
+//! (its μ/h)/(the ground's μk) in units of rounding, as in any stiffness method (tests `laws`).
 
 use super::chain::{self, inverse_symmetric, upside_down};
 use super::layer_stiffness::LayerStiffness;

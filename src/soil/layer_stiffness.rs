@@ -51,7 +51,8 @@ impl LayerStiffness<2> {
         let sech_s = 4.0 * e_s * inv_s * inv_s;
 
         let sum = p + s;
-        let inv_sum = sum.inv();
+        // at k = ω = 0 both p + s and p − s vanish
+        let inv_sum = if sum == Complex64::ZERO { sum } else { sum.inv() };
         let difference = ks2 - kp2; // p² − s², exact
         let x = difference * inv_sum * h; // (p − s)h, free of cancellation
         // (e^{−sh} − e^{−ph})/(p − s)
@@ -61,8 +62,11 @@ impl LayerStiffness<2> {
             e_s * h * one_minus_exp_series(x)
         };
         let inv_w = inv_p * inv_s;
-        // F: plain difference where p² and s² are well apart, else tanh a − tanh b = sinh(a − b)/(cosh a cosh b)
-        let f = if difference.norm_sqr() > 0.0625 * p2.norm_sqr() {
+        // F: plain difference where p² and s² are well apart, else tanh a − tanh b = sinh(a − b)/(cosh a cosh b);
+        // −a³/3 at k = ω = 0
+        let f = if sum == Complex64::ZERO {
+            Complex64::from(-h * h * h / 24.0)
+        } else if difference.norm_sqr() > 0.0625 * p2.norm_sqr() {
             (f_p - f_s) * inv_difference
         } else {
             (2.0 * s * q * inv_w - s * f_s) / (p * s * sum)

@@ -190,29 +190,39 @@ pub fn quadrature(
     integral.add(&mut integrand, &points);
     let mut count = 15 * points.len();
     // beyond the top: one period at a time until the envelope |G − tail|·|C|·y/5 is negligible
+    let tolerance = Tolerance { relative: 0.7 * relative, absolute: 0.0, max_count: MAX_COUNT };
+    let mut estimate;
     let mut cut;
     loop {
-        let envelope = match strip.compatibility {
-            Compatibility::Centre => 1.0 / (top * b).max(1.0),
-            Compatibility::Mean => 1.0 / (top * b).max(1.0).powi(2),
-        };
-        let k = (beta * beta + top * top).sqrt();
-        cut = (u_zz(k) - tail(k)).norm() * envelope * top / 5.0;
-        let goal = 0.3 * relative * (integral.value() + known).norm();
-        if cut <= goal || count > MAX_COUNT / 2 {
+        loop {
+            let envelope = match strip.compatibility {
+                Compatibility::Centre => 1.0 / (top * b).max(1.0),
+                Compatibility::Mean => 1.0 / (top * b).max(1.0).powi(2),
+            };
+            let k = (beta * beta + top * top).sqrt();
+            cut = (u_zz(k) - tail(k)).norm() * envelope * top / 5.0;
+            let goal = 0.3 * relative * (integral.value() + known).norm();
+            if cut <= goal || count > MAX_COUNT / 2 {
+                break;
+            }
+            let next = top + period.max(0.25 * top).min(8.0 * period);
+            let parts = ((next - top) / (1.5 * period)).ceil().max(1.0);
+            for i in 0..parts as usize {
+                let from = top + (next - top) * i as f64 / parts;
+                integral.add(&mut integrand, &[from, top + (next - top) * (i + 1) as f64 / parts]);
+                count += 15;
+            }
+            top = next;
+        }
+        estimate = integral.refine(&mut integrand, known, tolerance);
+        // refined, the integral may be smaller than it seemed and what was cut off too large for it
+        if !estimate.converged
+            || cut <= 0.3 * relative * (estimate.value + known).norm()
+            || count > MAX_COUNT / 2
+        {
             break;
         }
-        let next = top + period.max(0.25 * top).min(8.0 * period);
-        let parts = ((next - top) / (1.5 * period)).ceil().max(1.0);
-        for i in 0..parts as usize {
-            let from = top + (next - top) * i as f64 / parts;
-            integral.add(&mut integrand, &[from, top + (next - top) * (i + 1) as f64 / parts]);
-            count += 15;
-        }
-        top = next;
     }
-    let tolerance = Tolerance { relative: 0.7 * relative, absolute: 0.0, max_count: MAX_COUNT };
-    let estimate = integral.refine(&mut integrand, known, tolerance);
     let value = (estimate.value + known) / PI;
     let error = (estimate.error + cut) / PI;
     Estimate {

@@ -190,7 +190,7 @@ impl Contour {
                 };
                 outcome
                     .figures
-                    .push((Figure::Map(map), format!("{long}, at {at}, seen from the leading axle.")));
+                    .push((Figure::Map(map), format!("At {at}, seen from the leading axle: {long}.")));
                 outcome.answers.push(self.largest(quantity, &field.values[i], speed, long, unit));
             }
             group = group.variable(quantity.name(), &["speed", "y", "x"], all.into_dyn(), unit, long);

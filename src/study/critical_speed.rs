@@ -71,25 +71,46 @@ fn superpose(response: &MovingLoad, train: &Train) -> (f64, Vec<f64>) {
     (from, sum)
 }
 
-/// The largest value, refined by the parabola through it and its neighbours, and whether it lies at an end.
-fn largest(values: impl Iterator<Item = f64>) -> (f64, bool) {
+/// The largest value, refined by the parabola through it and its neighbours, its index, and its second difference.
+fn largest(values: impl Iterator<Item = f64>) -> (f64, usize, f64) {
     let values: Vec<f64> = values.collect();
     let last = values.len() - 1;
     let top = (0..=last).max_by(|&a, &b| values[a].total_cmp(&values[b])).unwrap_or(0);
     if top == 0 || top == last {
-        return (values[top], true);
+        return (values[top], top, 0.0);
     }
     let (a, b, c) = (values[top - 1], values[top], values[top + 1]);
     let curvature = a - 2.0 * b + c;
-    (if curvature < 0.0 { b - (c - a).powi(2) / (8.0 * curvature) } else { b }, false)
+    (if curvature < 0.0 { b - (c - a).powi(2) / (8.0 * curvature) } else { b }, top, curvature)
+}
+
+/// Curvature over one step, relative to the value, above which the parabola is not good to 1e-5.
+const SHARP: f64 = 0.05;
+
+/// The largest of sign × deflection and whether it lies at an end; sharp peaks are searched again twenty times finer.
+fn extreme(response: &MovingLoad, train: &Train, from: f64, rail: &[f64], sign: f64) -> (f64, bool) {
+    let (value, at, curvature) = largest(rail.iter().map(|w| sign * w));
+    let at_edge = at == 0 || at + 1 == rail.len();
+    if at_edge || curvature.abs() < SHARP * value.abs() {
+        return (value, at_edge);
+    }
+    const FINE: f64 = STEP / 20.0;
+    let lead = train.axles()[0].position;
+    let start = from + STEP * (at as f64 - 1.0);
+    let mut fine = vec![0.0; 41];
+    for axle in train.axles() {
+        let shape = response.shape(start + axle.position - lead, FINE, fine.len());
+        fine.iter_mut().zip(shape.rail).for_each(|(sum, w)| *sum += sign * axle.load * w);
+    }
+    (largest(fine.into_iter()).0, false)
 }
 
 fn extremes(response: &MovingLoad, train: &Train) -> Extremes {
-    let (_, rail) = superpose(response, train);
-    let (down, down_edge) = largest(rail.iter().copied());
-    let (up, up_edge) = largest(rail.iter().map(|w| -w));
-    // an upward extreme at the end is where nothing rises: the far field sinks a little everywhere
-    Extremes { down, up, at_edge: down_edge || (up_edge && up > 0.01 * down) }
+    let (from, rail) = superpose(response, train);
+    let (down, down_edge) = extreme(response, train, from, &rail, 1.0);
+    let (up, up_edge) = extreme(response, train, from, &rail, -1.0);
+    // far away nothing moves: where the rail sinks all over the searched positions it rises by nothing
+    Extremes { down, up: up.max(0.0), at_edge: down_edge || (up_edge && up > 0.01 * down) }
 }
 
 fn reach(train: &Train) -> f64 {

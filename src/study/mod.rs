@@ -105,9 +105,25 @@ impl Study {
     /// As `run`, where it can be known beforehand.
     pub fn check(&self, model: &Model) -> Result<(), StudyError> {
         match self {
-            Self::CriticalSpeed(_) | Self::TrackResponse(_) => model.track().map(|_| ()),
-            Self::Contour(study) => study.check(model),
-            Self::EquivalentStiffness(_) => model.foundation().map(|_| ()),
+            Self::CriticalSpeed(study) => {
+                model.track()?;
+                model.train(self.name())?;
+                model.check_damping(study.speeds.iter().copied())
+            }
+            Self::TrackResponse(study) => {
+                model.track()?;
+                model.train(self.name())?;
+                model.check_damping(study.speeds.iter().copied())
+            }
+            Self::Contour(study) => {
+                study.check(model)?;
+                model.check_damping(study.speeds.iter().copied())
+            }
+            Self::EquivalentStiffness(study) => {
+                model.foundation()?;
+                let omega = std::f64::consts::TAU * study.frequencies.iter().copied().fold(0.0, f64::max);
+                model.check_damping(study.beta.iter().map(|beta| omega / beta))
+            }
             Self::SurfaceCompliance(_) => model.ground("surface_compliance").map(|_| ()),
         }
     }

@@ -1,7 +1,7 @@
 //! The railway a case describes: ground or springs, track, train.
 
 use super::StudyError;
-use crate::foundation::{Foundation, LayeredSoil, Winkler};
+use crate::foundation::{Foundation, FoundationError, LayeredSoil, Winkler};
 use crate::interaction::TrackOnFoundation;
 use crate::soil::{Compatibility, Profile, Solver, Strip};
 use crate::track::Stack;
@@ -136,6 +136,20 @@ impl Model {
             Support::Ground(profile, solver) => Ok((profile, *solver)),
             Support::Winkler(_) => Err(StudyError::NeedsGround { study }),
         }
+    }
+
+    /// Refuses phase speeds [m/s] at which undamped ground has a wave, and the integral over wavenumbers no value.
+    ///
+    /// # Errors
+    /// `FoundationError::Undamped` for the largest of `phase_speeds`.
+    pub fn check_damping(&self, phase_speeds: impl Iterator<Item = f64>) -> Result<(), StudyError> {
+        let Support::Ground(profile, _) = &self.support else { return Ok(()) };
+        let phase_speed = phase_speeds.map(f64::abs).fold(0.0, f64::max);
+        let slowest = profile.slowest_rayleigh_speed();
+        if profile.is_undamped() && phase_speed >= slowest {
+            return Err(FoundationError::Undamped { phase_speed, slowest }.into());
+        }
+        Ok(())
     }
 
     /// The train, wanted by `study`.

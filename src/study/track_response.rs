@@ -65,7 +65,8 @@ impl TrackResponse {
                 missed.push(speed);
             }
             let extreme = |sign: f64| rail.row(row).iter().fold(f64::NEG_INFINITY, |m, w| m.max(sign * w));
-            let (down, up) = (extreme(1.0), extreme(-1.0));
+            // far away nothing moves: a rail that sinks all over the window rises by nothing
+            let (down, up) = (extreme(1.0), extreme(-1.0).max(0.0));
             let at = speed_text(speed);
             answers.push(Answer::new(
                 &format!("max_down_{}", tag(speed)),
@@ -79,7 +80,7 @@ impl TrackResponse {
                 format!("Largest upward rail deflection at {at}"),
                 up,
                 "m",
-                if up > 0.0 { format!("{:.3} mm", 1e3 * up) } else { "none in this window".into() },
+                if up > 0.0 { format!("{:.3} mm", 1e3 * up) } else { "none".into() },
             ));
             let millimetres = |values: Vec<f64>| values.iter().map(|w| 1e3 * w).collect::<Vec<_>>();
             let mut series = vec![Series {

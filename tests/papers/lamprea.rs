@@ -124,7 +124,7 @@ fn slab_track_at_220_without_interpolation() {
     let layers = vec![Layer { thickness: 2.0, material: material(60e6, 1500.0) }];
     let profile = Profile::new(layers, Base::HalfSpace(material(200e6, 1800.0))).unwrap();
     let strip = Strip { half_width: 1.25, compatibility: Compatibility::Mean };
-    let soil = LayeredSoil::new(profile, Solver::DirectStiffness, strip, 1e-7).unwrap();
+    let soil = LayeredSoil::new(profile, Solver::DirectStiffness, strip).unwrap();
     let stack = Slab {
         rail: Member::beam(1.276e7, 120.46, 0.0).unwrap(),
         pad: Link::spring(7e8, 3.84e4, 0.0).unwrap(),

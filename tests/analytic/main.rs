@@ -1,0 +1,11 @@
+//! Closed forms: half-spaces, layers on rock, moving point loads, beams on springs.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod beam;
+mod column;
+mod half_space;
+mod moving_point;
+mod rayleigh;
+mod strip;

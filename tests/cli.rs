@@ -1,0 +1,374 @@
+//! The command from outside: exit codes, messages, files written.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use tempfile::TempDir;
+
+/// A whole case that runs in a moment. Line numbers in the tests count from its first line.
+const CASE: &str = r#"title = "A quick case"
+[soil]
+solver.kind = "direct-stiffness"
+[[soil.layer]]
+thickness = 2.0
+young = 60e6
+poisson = 0.35
+density = 1500.0
+loss_factor = 0.06
+[soil.half_space]
+young = 200e6
+poisson = 0.35
+density = 1800.0
+loss_factor = 0.06
+[track]
+kind = "beam"
+beam.bending_stiffness = 1.0e8
+beam.mass = 2000.0
+contact.half_width = 1.25
+contact.compatibility = "centre"
+[train]
+axles = [{ position = 0.0, load = 150e3 }]
+[track_response]
+speeds = [50.0, "250 km/h"]
+"#;
+
+fn groundwave(arguments: &[&str], folder: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_groundwave")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().expect("the command ends by itself")
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// The message on one line: a wrapped one reads the same.
+fn flat(text: &str) -> String {
+    text.chars()
+        .map(|c| if "│╰╭─┬▲·×".contains(c) { ' ' } else { c })
+        .collect::<String>()
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+fn folder_with(case: &str) -> (TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("case.toml");
+    std::fs::write(&path, case).unwrap();
+    (folder, path)
+}
+
+fn names_in(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> =
+        std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+/// `run` on the case with `from` replaced by `to` must end with code 2, one message that holds every one of `says`, and nothing
+/// written.
+fn refused(from: &str, to: &str, says: &[&str]) -> Result<(), String> {
+    assert!(CASE.contains(from), "{from}");
+    refused_case(&CASE.replacen(from, to, 1), says)
+}
+
+fn refused_case(case: &str, says: &[&str]) -> Result<(), String> {
+    let (folder, _) = folder_with(case);
+    let mut faults = Vec::new();
+    for command in [&["check", "case.toml"][..], &["run", "case.toml", "--out", "out"]] {
+        let output = groundwave(command, folder.path());
+        let message = flat(&err(&output));
+        if code(&output) != 2 {
+            faults.push(format!("{} exits {}", command[0], code(&output)));
+        }
+        if !output.stdout.is_empty() || names_in(folder.path()) != ["case.toml"] {
+            faults.push(format!("{} wrote something", command[0]));
+        }
+        if err(&output).lines().filter(|line| line.trim_start().starts_with('×')).count() != 1 {
+            faults.push(format!("{}: not one message", command[0]));
+        }
+        for said in says {
+            if !message.contains(said) {
+                faults.push(format!("{}: no \"{said}\" in: {message}", command[0]));
+            }
+        }
+    }
+    if faults.is_empty() { Ok(()) } else { Err(faults.join("\n")) }
+}
+
+#[test]
+fn bad_input_is_refused_in_one_message() {
+    let rail = "axles = [{ position = 0.0, load = 150e3 }]";
+    let asked = "[track_response]\nspeeds = [50.0, \"250 km/h\"]";
+    let contour = "[contour]\nspeeds = [50.0]\nx = { from = -40.0, to = 20.0 }\ny = { from = -30.0, to = 30.0 }\nspacing = ";
+    let (tiny, hopeless) = (format!("{contour}1e-3"), format!("{contour}1e-12"));
+    let undamped = CASE.replace("loss_factor = 0.06", "loss_factor = 0.0");
+    let critical = |speeds: &str| undamped.replace(asked, &format!("[critical_speed]\nspeeds = {speeds}"));
+    let point = "[track]\nkind = \"none\"\nload.kind = \"point\"\n[train]";
+    let mut point_case = CASE.replace(asked, "[critical_speed]\nspeeds = [10.0, 20.0, 30.0]");
+    let (a, b) = (point_case.find("[track]").unwrap(), point_case.find("[train]").unwrap());
+    point_case.replace_range(a..b + "[train]".len(), point);
+    let cases: Vec<(&str, Result<(), String>)> = vec![
+        (
+            "unknown key",
+            refused(
+                "young = 60e6",
+                "yuong = 60e6",
+                &["case.toml:6", "yuong", "did you mean `young`?", "allowed"],
+            ),
+        ),
+        ("missing key", refused("density = 1500.0\n", "", &["case.toml", "missing key `density`"])),
+        (
+            "missing thickness",
+            refused("thickness = 2.0\n", "", &["case.toml", "soil.layer[0]", "missing key `thickness`"]),
+        ),
+        (
+            "wrong type",
+            refused("young = 60e6", "young = \"60e6\"", &["case.toml:6", "young", "string", "f64"]),
+        ),
+        ("unknown unit", refused("250 km/h", "250 mph", &["case.toml:24", "mph", "km/h", "track_response"])),
+        ("NaN", refused("young = 60e6", "young = nan", &["case.toml:6", "young", "NaN", "above zero"])),
+        (
+            "infinite",
+            refused("density = 1500.0", "density = inf", &["case.toml:8", "density", "inf", "finite"]),
+        ),
+        (
+            "negative",
+            refused(
+                "mass = 2000.0",
+                "mass = -1.0",
+                &["case.toml:18", "track.beam.mass", "-1", "not negative"],
+            ),
+        ),
+        (
+            "ν = 0.5",
+            refused(
+                "poisson = 0.35",
+                "poisson = 0.5",
+                &["case.toml:7", "soil.layer[0].poisson", "0.5", "0.499"],
+            ),
+        ),
+        (
+            "ν = -1",
+            refused("poisson = 0.35", "poisson = -1.0", &["case.toml:7", "soil.layer[0].poisson", "-1"]),
+        ),
+        (
+            "η < 0",
+            refused("loss_factor = 0.06", "loss_factor = -0.06", &["case.toml:9", "loss_factor", "-0.06"]),
+        ),
+        (
+            "zero thickness",
+            refused(
+                "thickness = 2.0",
+                "thickness = 0",
+                &["case.toml:5", "soil.layer[0].thickness", "above zero"],
+            ),
+        ),
+        ("no axles", refused(rail, "axles = []", &["case.toml:22", "train.axles", "at least one axle"])),
+        (
+            "no load",
+            refused("load = 150e3", "load = 0.0", &["case.toml:22", "train.axles", "at least one axle"]),
+        ),
+        ("NaN load", refused("load = 150e3", "load = nan", &["case.toml:22", "train.axles[0].load", "NaN"])),
+        ("no train", refused(&format!("[train]\n{rail}\n"), "", &["case.toml", "track_response", "[train]"])),
+        (
+            "no base",
+            refused(
+                "[soil.half_space]\nyoung = 200e6\npoisson = 0.35\ndensity = 1800.0\nloss_factor = 0.06\n",
+                "",
+                &["case.toml", "no base", "rigid"],
+            ),
+        ),
+        (
+            "two bases",
+            refused("[soil]", "[soil]\nbase = \"rigid\"", &["case.toml:3", "soil.base", "two bases"]),
+        ),
+        (
+            "reversed speeds",
+            refused(
+                "[50.0, \"250 km/h\"]",
+                "{ from = 200.0, to = 10.0, step = 2.0 }",
+                &["case.toml:24", "track_response.speeds", "200", "swap"],
+            ),
+        ),
+        (
+            "descending list",
+            refused(
+                asked,
+                "[critical_speed]\nspeeds = [10.0, 30.0, 20.0]",
+                &["case.toml:24", "critical_speed.speeds[2]", "must ascend"],
+            ),
+        ),
+        (
+            "unknown soil",
+            refused_case(
+                "title = \"x\"\nsoil = \"lamprea2022_layerd\"\ntrack = \"lamprea2022_slab\"\n[track_response]\nspeeds = [10.0]\n",
+                &["case.toml:2", "lamprea2022_layerd", "did you mean `lamprea2022_layered`?"],
+            ),
+        ),
+        ("too large a grid", refused(asked, &tiny, &["case.toml", "contour", "GB", "larger spacing"])),
+        ("a hopeless grid", refused(asked, &hopeless, &["case.toml", "contour", "GB", "larger spacing"])),
+        (
+            "undamped, supercritical",
+            refused_case(
+                &critical("[50.0, 100.0, 200.0]"),
+                &["case.toml", "critical_speed", "no damping", "0.001"],
+            ),
+        ),
+        ("point load", refused_case(&point_case, &["case.toml", "critical_speed", "point load", "patch"])),
+        ("syntax", refused("poisson = 0.35", "poisson = = 0.35", &["case.toml:7"])),
+        ("empty", refused_case("", &["missing key `title`"])),
+        ("nothing asked", refused(asked, "", &["asks for nothing", "[critical_speed]"])),
+    ];
+    let faults: Vec<String> =
+        cases.into_iter().filter_map(|(name, result)| result.err().map(|e| format!("{name}: {e}"))).collect();
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
+#[test]
+fn bad_files_and_folders_are_refused() {
+    let (folder, _) = folder_with(CASE);
+    let here = folder.path();
+    std::fs::write(here.join("garbage.toml"), [0u8, 159, 146, 150, 255, 1, 2]).unwrap();
+    std::fs::write(here.join("garbage.h5"), [0u8, 159, 146, 150, 255, 1, 2]).unwrap();
+    std::fs::write(here.join("a_file"), "x").unwrap();
+    std::fs::create_dir(here.join("a_folder")).unwrap();
+    let before = names_in(here);
+    for (arguments, says) in [
+        (&["run", "missing.toml"][..], "missing.toml"),
+        (&["run", "a_folder"], "folder"),
+        (&["run", "garbage.toml"], "garbage.toml"),
+        (&["run", "garbage.h5"], "garbage.h5"),
+        (&["run", "case.toml", "--out", "a_file/out"], "a_file"),
+        (&["run", "case.toml", "--out", "a_folder"], "--overwrite"),
+        (&["run", "case.toml", "--out", "a_file"], "a_file"),
+        (&["run", "case.toml", "--threads", "0"], "threads"),
+        (&["run"], "CASE"),
+        (&["rum", "case.toml"], "run"),
+        (&["list", "soil"], "soils"),
+        (&["new", "case.toml"], "case.toml"),
+    ] {
+        let output = groundwave(arguments, here);
+        assert_eq!(code(&output), 2, "{arguments:?}: {}", err(&output));
+        assert!(flat(&err(&output)).contains(says), "{arguments:?}: {}", err(&output));
+        assert!(!err(&output).contains("panicked"), "{arguments:?}");
+        assert_eq!(names_in(here), before, "{arguments:?}");
+        assert_eq!(names_in(&here.join("a_folder")).len(), 0, "{arguments:?}");
+    }
+}
+
+#[test]
+fn check_list_and_schema() {
+    let (folder, _) = folder_with(CASE);
+    let check = groundwave(&["check", "case.toml"], folder.path());
+    assert_eq!(code(&check), 0, "{}", err(&check));
+    assert!(String::from_utf8_lossy(&check.stdout).contains("track_response"));
+    let list = groundwave(&["list", "soils"], folder.path());
+    let text = String::from_utf8_lossy(&list.stdout).into_owned();
+    assert!(code(&list) == 0 && text.contains("kaynia2000_ledsgard_high_speed") && !text.contains("x2000"));
+    let schema = groundwave(&["schema"], folder.path());
+    let schema: serde_json::Value = serde_json::from_slice(&schema.stdout).unwrap();
+    for key in ["title", "soil", "track", "train", "critical_speed", "contour"] {
+        assert!(schema["properties"].get(key).is_some(), "{key}");
+    }
+    for key in ["half_space", "loss_factor", "half_width", "axles", "spacing"] {
+        assert!(schema["$defs"].to_string().contains(&format!("\"{key}\"")), "{key}");
+    }
+    assert_eq!(names_in(folder.path()), ["case.toml"]);
+}
+
+#[test]
+fn a_run_leaves_what_it_promises() {
+    let (folder, _) = folder_with(CASE);
+    let here = folder.path();
+    let run = |arguments: &[&str]| {
+        let output = groundwave(arguments, here);
+        assert_eq!(code(&output), 0, "{arguments:?}: {}", err(&output));
+        output
+    };
+    let output = run(&["run", "case.toml", "--out", "a", "--threads", "1"]);
+    assert!(String::from_utf8_lossy(&output.stdout).contains("Largest downward rail deflection"));
+    let names = names_in(&here.join("a"));
+    for name in ["results.h5", "summary.json", "report.html"] {
+        assert!(names.iter().any(|n| n == name), "{names:?}");
+    }
+    assert!(
+        names.iter().any(|n| n.ends_with(".svg")) && names.iter().any(|n| n.ends_with(".png")),
+        "{names:?}"
+    );
+    assert!(names.iter().any(|n| n.ends_with(".csv")), "{names:?}");
+    let summary = |of: &str| std::fs::read(here.join(of).join("summary.json")).unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&summary("a")).unwrap();
+    assert!(json["track_response"]["max_down_50"].as_f64().unwrap() > 1e-4);
+    // whatever the threads, and from the stored case
+    run(&["run", "case.toml", "--out", "b", "--threads", "2"]);
+    assert!(summary("a") == summary("b"));
+    run(&["run", "a/results.h5", "--out", "c"]);
+    assert!(summary("a") == summary("c"));
+    // a second time only when told to
+    assert_eq!(code(&groundwave(&["run", "case.toml", "--out", "a"], here)), 2);
+    std::fs::write(here.join("a/stray"), "x").unwrap();
+    run(&["run", "case.toml", "--out", "a", "--overwrite"]);
+    assert_eq!(names_in(&here.join("a")), names);
+    assert_eq!(names_in(here), ["a", "b", "c", "case.toml"]);
+}
+
+#[test]
+fn the_template_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(code(&groundwave(&["new", "mine.toml"], folder.path())), 0);
+    assert_eq!(code(&groundwave(&["check", "mine.toml"], folder.path())), 0);
+    // the whole curve and map take longer than a test may
+    let path = folder.path().join("mine.toml");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let short = text
+        .replace("{ from = \"50 km/h\", to = \"700 km/h\", step = \"10 km/h\" }", "[100.0, 137.0, 170.0]")
+        .replace("{ from = -40.0, to = 20.0 }", "{ from = -4.0, to = 4.0 }")
+        .replace("{ from = -30.0, to = 30.0 }", "{ from = -4.0, to = 4.0 }")
+        .replace("spacing = 0.5", "spacing = 1.0\nclearance = 20.0");
+    assert!(short.len() < text.len());
+    std::fs::write(&path, short).unwrap();
+    let run = groundwave(&["run", "mine.toml", "--out", "out"], folder.path());
+    assert_eq!(code(&run), 0, "{}", err(&run));
+    let summary: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(folder.path().join("out/summary.json")).unwrap()).unwrap();
+    assert!(summary["critical_speed"]["critical_speed"].as_f64().unwrap() > 90.0);
+}
+
+#[test]
+fn concerns_are_fatal_under_strict() {
+    // the deflection still rises at the end of the range
+    let case = CASE.replace(
+        "[track_response]\nspeeds = [50.0, \"250 km/h\"]",
+        "[critical_speed]\nspeeds = [20.0, 40.0, 60.0]",
+    );
+    let (folder, _) = folder_with(&case);
+    let strict = groundwave(&["run", "case.toml", "--out", "out", "--strict"], folder.path());
+    assert_eq!(code(&strict), 1, "{}", err(&strict));
+    assert!(err(&strict).contains("maximum-at-end"), "{}", err(&strict));
+    assert_eq!(names_in(folder.path()), ["case.toml"]);
+    let lenient = groundwave(&["run", "case.toml", "--out", "out"], folder.path());
+    assert_eq!(code(&lenient), 0);
+    assert!(String::from_utf8_lossy(&lenient.stdout).contains("maximum-at-end"));
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_leaves_nothing() {
+    let speeds = "[critical_speed]\nspeeds = { from = 10.0, to = 200.0, step = 0.01 }";
+    let (folder, _) = folder_with(&CASE.replace("[track_response]\nspeeds = [50.0, \"250 km/h\"]", speeds));
+    let mut child = Command::new(env!("CARGO_BIN_EXE_groundwave"))
+        .args(["run", "case.toml", "--out", "deep/out"])
+        .current_dir(folder.path())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    assert!(child.try_wait().unwrap().is_none(), "the run was to be longer");
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130), "{}", err(&output));
+    assert_eq!(names_in(folder.path()), ["case.toml"]);
+}

@@ -1,0 +1,164 @@
+//! Laws of a stack of members and links on any foundation.
+
+use crate::draw::log;
+use crate::{Verdict, ask, report, within};
+use groundwave::track::{Ballast, Ballasted, Displacements, Link, Member, Slab, Stack};
+use num_complex::Complex64;
+use proptest::prelude::*;
+use std::f64::consts::PI;
+
+/// A track with its mass [kg/m] and the compliance at rest of its links in series [m²/N].
+#[derive(Clone, Debug)]
+pub struct Track {
+    pub stack: Stack,
+    pub mass: f64,
+    pub flexibility: f64,
+}
+
+/// A track, β, ω > 0 and two foundations of no negative damping.
+type Input = (Track, f64, f64, Complex64, Complex64);
+/// How a stack answers (β, ω, k): the law of the crate, or a wrong one.
+type Respond = fn(&Stack, f64, f64, Complex64) -> Displacements;
+type Law = fn(Respond, &Input) -> Verdict;
+
+const LAWS: &[(&str, Law)] = &[
+    ("stack reciprocity", reciprocity),
+    ("stack passivity", passivity),
+    ("stack conjugate", conjugate),
+    ("stack even in β", even),
+    ("stack at rest", at_rest),
+    ("stack as a rigid mass", rigid_mass),
+];
+
+fn damping() -> impl Strategy<Value = f64> + Clone {
+    prop_oneof![1 => Just(0.0), 2 => log(1e-3, 0.5)]
+}
+
+/// Rails, pads and what lies under them, from toy to heavy.
+pub fn track() -> impl Strategy<Value = Track> {
+    let beam = (log(1e6, 1e9), log(30.0, 5000.0), damping());
+    let spring = (log(1e7, 1e10), prop_oneof![Just(0.0), log(1e2, 1e6)], damping());
+    (beam.clone(), beam, spring.clone(), spring, log(50.0, 2000.0), 0.2..0.6, log(100.0, 600.0), 0..4)
+        .prop_map(|(rail, slab, pad, ballast, mass, height, wave_speed, kind)| {
+            let member = |b: (f64, f64, f64)| Member::beam(b.0, b.1, b.2).unwrap();
+            let (upper, lower) = (member(rail), member(slab));
+            let link = Link::spring(pad.0, pad.1, pad.2).unwrap();
+            let (stiffness, viscous, loss_factor) = ballast;
+            let ballasted = |ballast| Ballasted { rail: upper, pad: link, sleeper_mass: mass, ballast };
+            let (stack, mass, flexibility) = match kind {
+                0 => (Stack::new(vec![upper], vec![]), rail.1, 0.0),
+                1 => (Slab { rail: upper, pad: link, slab: lower }.stack(), rail.1 + slab.1, 1.0 / pad.0),
+                2 => {
+                    let ballast = Ballast::ConsistentMass {
+                        stiffness,
+                        damping: viscous,
+                        loss_factor,
+                        mass: 2.0 * mass,
+                    };
+                    let flexibility = 1.0 / pad.0 + 1.0 / stiffness;
+                    (ballasted(ballast).stack().unwrap(), rail.1 + 3.0 * mass, flexibility)
+                }
+                _ => {
+                    // EA = 2αb E = k h; m = EA h/C²
+                    let young = stiffness * height / 2.0;
+                    let ballast =
+                        Ballast::Bars { young, height, alpha: 0.5, wave_speed, half_width: 2.0, loss_factor };
+                    let bars = stiffness * (height / wave_speed).powi(2);
+                    let flexibility = 1.0 / pad.0 + 1.0 / stiffness;
+                    (ballasted(ballast).stack().unwrap(), rail.1 + mass + bars, flexibility)
+                }
+            };
+            Track { stack, mass, flexibility }
+        })
+}
+
+fn inputs() -> impl Strategy<Value = Input> {
+    let foundation =
+        || (log(1e5, 1e10), 0.0..PI).prop_map(|(k, angle): (f64, f64)| Complex64::from_polar(k, angle));
+    (track(), log(1e-3, 20.0), log(1.0, 1e4), foundation(), foundation())
+}
+
+/// Betti between two foundations under one track: u_r(k₁) − u_r(k₂) = −(k₁ − k₂) u_b(k₁) u_b(k₂), which holds exactly
+/// if and only if a load on the rail moves the base as much as a load on the base moves the rail.
+fn reciprocity(respond: Respond, (track, beta, omega, k1, k2): &Input) -> Verdict {
+    let (one, two) = (respond(&track.stack, *beta, *omega, *k1), respond(&track.stack, *beta, *omega, *k2));
+    let work = (k1 - k2) * one.base * two.base;
+    let gap = (one.rail - two.rail + work).norm() / (one.rail.norm() + two.rail.norm() + work.norm());
+    // measured 4.6e-12: links up to 1e5 times stiffer than the foundation
+    within(gap, 5e-11, || format!("{one:?} {two:?}"))
+}
+
+/// What goes in at the rail, −Im u_r, is at least what goes down into the foundation, Im k |u_b|².
+fn passivity(respond: Respond, (track, beta, omega, k, _): &Input) -> Verdict {
+    let u = respond(&track.stack, *beta, *omega, *k);
+    let lost = (u.rail.im + k.im * u.base.norm_sqr()) / (u.rail.norm() + k.norm() * u.base.norm_sqr());
+    // measured 1.7e-16
+    within(lost, 1e-14, || format!("{u:?}"))
+}
+
+/// u(−ω, k̄) = ū(ω, k)
+fn conjugate(respond: Respond, (track, beta, omega, k, _): &Input) -> Verdict {
+    let plus = respond(&track.stack, *beta, *omega, *k);
+    let minus = respond(&track.stack, *beta, -omega, k.conj());
+    let gap = (plus.rail.conj() - minus.rail).norm() / plus.rail.norm()
+        + (plus.base.conj() - minus.base).norm() / plus.base.norm();
+    // measured 0
+    within(gap, 1e-14, || format!("{plus:?} {minus:?}"))
+}
+
+fn even(respond: Respond, (track, beta, omega, k, _): &Input) -> Verdict {
+    let gap = (respond(&track.stack, *beta, *omega, *k).rail - respond(&track.stack, -beta, *omega, *k).rail)
+        .norm();
+    // measured 0: only β² enters
+    within(gap, 0.0, || "β".into())
+}
+
+/// At β = ω = 0 the links are springs in series over the foundation, and the foundation carries the whole load.
+fn at_rest(respond: Respond, (track, _, _, k, _): &Input) -> Verdict {
+    let stiffness = k.norm();
+    let u = respond(&track.stack, 0.0, 0.0, stiffness.into());
+    let rail = 1.0 / stiffness + track.flexibility;
+    // damping sleeps at rest: no imaginary part
+    let gap = (u.rail - rail).norm() / rail + (u.base * stiffness - 1.0).norm();
+    // measured 2.1e-11: a link 1e5 times stiffer than the foundation costs five digits of 1e-16
+    within(gap, 2e-10, || format!("{u:?}"))
+}
+
+/// On nothing, slowly, all masses move together: −ω² m u = 1.
+fn rigid_mass(respond: Respond, (track, ..): &Input) -> Verdict {
+    // ω²m is a millionth of the softest link, 1e7 N/m²
+    let omega = (1.0 / track.mass).sqrt();
+    let u = respond(&track.stack, 0.0, omega, Complex64::ZERO);
+    let gap = (u.rail * omega * omega * track.mass + 1.0).norm();
+    // measured 8.5e-6: ω²m/k of the links, and where those are stiff the rounding of k beside ω²m
+    within(gap, 5e-5, || format!("{u:?}"))
+}
+
+#[test]
+fn stacks_obey_every_law() {
+    for (name, law) in LAWS {
+        report(name, ask(4000, &inputs(), |input| law(Stack::respond, input)));
+    }
+}
+
+#[test]
+fn wrong_stacks_are_caught() {
+    let wrong: &[(&str, Respond)] = &[
+        ("stack reciprocity", |s, b, w, k| {
+            let u = s.respond(b, w, k);
+            Displacements { base: u.base * 1.001, ..u }
+        }),
+        ("stack passivity", |s, b, w, k| {
+            let u = s.respond(b, w, k);
+            Displacements { rail: u.rail.conj(), ..u }
+        }),
+        ("stack conjugate", |s, b, w, k| s.respond(b, w.abs(), k)),
+        ("stack even in β", |s, b, w, k| s.respond(if b < 0.0 { 1.000_001 * b } else { b }, w, k)),
+        ("stack at rest", |s, b, w, k| s.respond(b, w, k * 1.000_001)),
+        ("stack as a rigid mass", |s, b, w, k| s.respond(b, 1.001 * w, k)),
+    ];
+    for (name, law) in LAWS {
+        let (_, respond) = wrong.iter().find(|(n, _)| n == name).expect("a wrong stack for every law");
+        assert!(ask(200, &inputs(), |input| law(*respond, input)).is_err(), "{name}");
+    }
+}
