@@ -93,7 +93,7 @@ impl<'a> TrackOnFoundation<'a> {
             let load = (1.0 + (beta * self.half_length).powi(2)).sqrt().recip();
             let u = self.stack.respond(beta, -beta * speed, stiffness).rail.norm() * load;
             sum += u * beta * RATIO.ln();
-            if u * beta < 3.0 * ACCURACY * sum || beta > 400.0 {
+            if u * beta < 0.5 * ACCURACY * sum || beta > 400.0 {
                 return Ok((beta, sum));
             }
             beta *= RATIO;
