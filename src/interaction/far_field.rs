@@ -14,6 +14,7 @@
 use super::Quantity;
 use crate::math::complex::I;
 use crate::math::fourier::{from_harmonics, harmonics};
+use crate::math::interpolation::cubic_weights;
 use crate::soil::{Base, Layer, Material, PreparedGround, Profile, SoilError, Solver};
 use crate::soil::{GroundSolver, SurfaceCompliance};
 use num_complex::Complex64;
@@ -124,16 +125,6 @@ fn order(i: usize) -> usize {
     i.min(DIRECTIONS - i)
 }
 
-/// Weights of the cubic through −1, 0, 1, 2 at t in [0, 1].
-fn cubic(t: f64) -> [f64; 4] {
-    [
-        -t * (t - 1.0) * (t - 2.0) / 6.0,
-        (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
-        -(t + 1.0) * t * (t - 2.0) / 2.0,
-        (t + 1.0) * t * (t - 1.0) / 6.0,
-    ]
-}
-
 impl ImageTable {
     /// The image at (x, y) [m] from the load, per newton.
     pub fn at(&self, x: f64, y: f64) -> f64 {
@@ -141,7 +132,7 @@ impl ImageTable {
         let row = ((r / self.length).asinh() * self.density + 1.0).min((self.rows - 3) as f64);
         let column = (y.atan2(x).rem_euclid(TAU) / TAU) * DIRECTIONS as f64;
         let (i, j) = (row.floor() as usize, column.floor() as usize);
-        let (across, along) = (cubic(row - i as f64), cubic(column - j as f64));
+        let (across, along) = (cubic_weights(row - i as f64), cubic_weights(column - j as f64));
         let mut sum = 0.0;
         for (m, a) in across.iter().enumerate() {
             // the row before the origin lies on the other side of it

@@ -73,6 +73,16 @@ impl Interpolant {
     }
 }
 
+/// Weights of the values at −1, 0, 1, 2 in the cubic through them, at `t` in [0, 1].
+pub fn cubic_weights(t: f64) -> [f64; 4] {
+    [
+        -t * (t - 1.0) * (t - 2.0) / 6.0,
+        (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
+        -(t + 1.0) * t * (t - 2.0) / 2.0,
+        (t + 1.0) * t * (t - 1.0) / 6.0,
+    ]
+}
+
 /// c_n = (2 − δ_n0)/N Σ_j f_j T_n(x_j), x_j = −cos(π(j + ½)/N) ascending
 fn chebyshev_coefficients(values: &[Complex64; N]) -> [Complex64; N] {
     std::array::from_fn(|n| {
@@ -95,6 +105,16 @@ fn chebyshev_coefficients(values: &[Complex64; N]) -> [Complex64; N] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn cubics_are_exact() {
+        let cubic = |x: f64| ((0.3 * x - 1.0) * x + 2.0) * x - 5.0;
+        for t in [0.0, 0.3, 1.0] {
+            let w = cubic_weights(t);
+            let sum: f64 = (0..4).map(|i| w[i] * cubic(i as f64 - 1.0)).sum();
+            assert!((sum - cubic(t)).abs() < 1e-14);
+        }
+    }
 
     #[test]
     fn follows_a_resonance() {

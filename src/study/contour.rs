@@ -95,7 +95,9 @@ impl Contour {
             })
             .collect::<Result<Vec<_>, _>>()?;
         observer.end();
-        Ok(self.outcome(&fields))
+        let mut outcome = self.outcome(&fields);
+        outcome.concerns.extend(self.speeds.iter().filter_map(|v| model.outruns_waves(*v)));
+        Ok(outcome)
     }
 
     fn field(&self, model: &Model, speed: f64) -> Result<Field, StudyError> {

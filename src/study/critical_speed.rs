@@ -5,6 +5,7 @@ use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, SecondAxis, Series, Stroke};
 use crate::interaction::{MovingLoad, TrackOnFoundation};
+use crate::math::interpolation::cubic_weights;
 use crate::math::maximum::golden_section;
 use crate::progress::Observer;
 use crate::vehicle::Train;
@@ -55,13 +56,8 @@ fn superpose(response: &MovingLoad, train: &Train) -> (f64, Vec<f64>) {
         let offset = (axle.position - lead) / STEP;
         let whole = (offset + 1e-9).floor();
         let t = (offset - whole).max(0.0);
-        // cubic through four points; exact where axles stand on multiples of the spacing
-        let weights = [
-            -t * (t - 1.0) * (t - 2.0) / 6.0,
-            (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0,
-            -(t + 1.0) * t * (t - 2.0) / 2.0,
-            (t + 1.0) * t * (t - 1.0) / 6.0,
-        ];
+        // exact where axles stand on multiples of the spacing
+        let weights = cubic_weights(t);
         let start = whole as usize;
         for (i, slot) in sum.iter_mut().enumerate() {
             let near = &unit[i + start..i + start + 4];

@@ -1,6 +1,7 @@
 //! The railway a case describes: ground or springs, track, train.
 
-use super::StudyError;
+use super::{StudyError, speed_text};
+use crate::concern::Concern;
 use crate::foundation::{Foundation, FoundationError, LayeredSoil, Winkler};
 use crate::interaction::TrackOnFoundation;
 use crate::soil::{Compatibility, Profile, Solver, Strip};
@@ -150,6 +151,22 @@ impl Model {
             return Err(FoundationError::Undamped { phase_speed, slowest }.into());
         }
         Ok(())
+    }
+
+    /// A concern if a load at `speed` [m/s] outruns every shear wave of the ground: only far-reaching Mach waves are left.
+    pub fn outruns_waves(&self, speed: f64) -> Option<Concern> {
+        let Support::Ground(profile, _) = &self.support else { return None };
+        let fastest = profile.materials().map(|m| m.c_s()).fold(0.0, f64::max);
+        (speed > fastest).then(|| {
+            Concern::new(
+                "faster-than-waves",
+                format!(
+                    "{} is faster than every shear wave of the ground ({fastest:.1} m/s)",
+                    speed_text(speed)
+                ),
+                "check the speed and the soil; the response is then governed by material damping",
+            )
+        })
     }
 
     /// The train, wanted by `study`.

@@ -151,7 +151,10 @@ impl TrackResponse {
             group,
             figures,
             answers,
-            concerns: missed_accuracy(missed.into_iter()).into_iter().collect(),
+            concerns: missed_accuracy(missed.into_iter())
+                .into_iter()
+                .chain(self.speeds.iter().filter_map(|v| model.outruns_waves(*v)))
+                .collect(),
         })
     }
 }
