@@ -5,6 +5,10 @@ use super::schema::{FoundationInput, FoundationKind, MaterialInput, SoilInput, S
 use crate::foundation::Winkler;
 use crate::soil::{Base, Elastic, Layer, Material, Profile, SoilError, Solver};
 
+/// Thinnest layer [m], and shear wave speeds [m/s], that a case may ask for: beyond them are slips of unit.
+const THINNEST: f64 = 1e-3;
+const SHEAR_SPEEDS: (f64, f64) = (5.0, 10_000.0);
+
 /// Elastic constants and damping of one material.
 fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
     const PAIRS: &str =
@@ -49,7 +53,7 @@ fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
             .help("give loss_factor, or damping_ratio (half of it)"));
     };
     let (eta_p, key_p) = pressure.unwrap_or((eta_s, key_s.clone()));
-    Material::new(elastic, input.density, eta_s, eta_p).map_err(|error| {
+    let material = Material::new(elastic, input.density, eta_s, eta_p).map_err(|error| {
         let key = match &error {
             SoilError::NotPositive { quantity, .. } => match *quantity {
                 "density" => "density",
@@ -63,7 +67,18 @@ fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
             _ => &key_p,
         };
         Finding::new(format!("{path}.{key}"), error)
-    })
+    })?;
+    let c_s = material.c_s();
+    if c_s < SHEAR_SPEEDS.0 || c_s > SHEAR_SPEEDS.1 {
+        let key = if input.young.is_some() { "young" } else { "shear_speed" };
+        let (low, high) = SHEAR_SPEEDS;
+        let message = format!(
+            "the shear wave speed is {c_s:.3e} m/s: no ground, it should lie between {low} and {high} m/s"
+        );
+        return Err(Finding::new(format!("{path}.{key}"), message)
+            .help("young is in Pa (60 MPa = 60e6), density in kg/m³, speeds in m/s"));
+    }
+    Ok(material)
 }
 
 /// The profile of `[soil]`; `path` is where the table stands (`soil`, or empty in a library file).
@@ -80,6 +95,13 @@ pub fn profile(input: &SoilInput, path: &str) -> Result<(Profile, Solver), Findi
                 format!("{path}.thickness"),
                 format!("layer thickness is {thickness} m: it must be finite and above zero"),
             ));
+        }
+        if thickness < THINNEST {
+            return Err(Finding::new(
+                format!("{path}.thickness"),
+                format!("layer thickness is {thickness} m: layers below {THINNEST} m are not resolved"),
+            )
+            .help("thicknesses are in metres; merge such a layer with its neighbour"));
         }
         layers.push(Layer { thickness, material: material(layer, &path)? });
     }

@@ -1,7 +1,7 @@
 //! A case file → model and studies, everything checked before anything is computed.
 
 use super::error::{CaseError, Finding, from_toml};
-use super::schema::{CaseInput, TrainInput};
+use super::schema::{AxleInput, CaseInput, TrainInput};
 use super::values::Named;
 use super::{ground, library, studies, track};
 use crate::study::{Model, Study, Support};
@@ -48,6 +48,10 @@ struct Resolved<T> {
     name: String,
     text: String,
 }
+
+/// Longest train [m] and heaviest axle [N] a case may ask for.
+const LONGEST_TRAIN: f64 = 2000.0;
+const HEAVIEST_AXLE: f64 = 1e8;
 
 struct Loader<'a> {
     name: &'a str,
@@ -112,6 +116,36 @@ impl Loader<'_> {
         let Resolved { table, prefix, name, text } = resolved;
         let at = |rest: &str| if prefix.is_empty() { rest.to_owned() } else { format!("{prefix}.{rest}") };
         let fault = |finding: Finding| finding.at(&name, &text);
+        // `count` times the axles, one `length` behind the other
+        let repeat = |axles: &[AxleInput],
+                      count: Option<usize>,
+                      length: Result<f64, &str>,
+                      at: &dyn Fn(&str) -> String|
+         -> Result<Vec<Axle>, CaseError> {
+            let count = count.unwrap_or(1);
+            if count == 0 || count > 1000 {
+                let message = format!("found {count}: it must lie between 1 and 1000");
+                return Err(fault(Finding::new(at("count"), message)));
+            }
+            let length = match (count, length) {
+                (1, _) => 0.0,
+                (_, Ok(length)) if length.is_finite() && length > 0.0 => length,
+                (_, Ok(length)) => {
+                    let message = format!("length is {length} m: it must be finite and above zero");
+                    return Err(fault(Finding::new(at("length"), message)));
+                }
+                (_, Err(message)) => {
+                    return Err(fault(
+                        Finding::new(at("count"), message).help("add `length = …` [m], or use count = 1"),
+                    ));
+                }
+            };
+            Ok((0..count)
+                .flat_map(|i| {
+                    axles.iter().map(move |a| Axle { position: a.position + length * i as f64, load: a.load })
+                })
+                .collect())
+        };
         let axles: Vec<Axle> = match (&table.axles, &table.vehicle) {
             (Some(_), Some(_)) => {
                 return Err(fault(
@@ -119,39 +153,22 @@ impl Loader<'_> {
                 ));
             }
             (Some(axles), None) => {
-                axles.iter().map(|a| Axle { position: a.position, load: a.load }).collect()
+                let length = table.length.ok_or("the axles have no `length` to repeat them at");
+                repeat(axles, table.count, length, &at)?
             }
             (None, Some(vehicle)) => {
                 let inner =
                     self.resolve(&Named::<TrainInput>::Name(vehicle.clone()), "train.vehicle", "vehicles")?;
-                let axles = inner.table.axles.unwrap_or_default();
-                let count = table.count.unwrap_or(1);
-                if count == 0 || count > 1000 {
-                    return Err(fault(Finding::new(
-                        at("count"),
-                        format!("found {count}: it must lie between 1 and 1000"),
-                    )));
+                let TrainInput { axles, vehicle: nested, count, reversed, length, .. } = inner.table;
+                if nested.is_some() || count.is_some() || reversed || table.length.is_some() {
+                    let message = "a vehicle brings its axles and length, nothing else";
+                    return Err(fault(
+                        Finding::new(at("vehicle"), message)
+                            .help("say count and reversed in the case, length with the axles"),
+                    ));
                 }
-                let length = match (count, inner.table.length) {
-                    (1, _) => 0.0,
-                    (_, Some(length)) => length,
-                    (_, None) => {
-                        return Err(fault(
-                            Finding::new(
-                                at("count"),
-                                format!("\"{vehicle}\" is a whole train without a length to repeat it at"),
-                            )
-                            .help("use count = 1"),
-                        ));
-                    }
-                };
-                (0..count)
-                    .flat_map(|i| {
-                        axles
-                            .iter()
-                            .map(move |a| Axle { position: a.position + length * i as f64, load: a.load })
-                    })
-                    .collect()
+                let length = length.ok_or("this vehicle has no `length` to repeat it at");
+                repeat(&axles.unwrap_or_default(), table.count, length, &at)?
             }
             (None, None) => {
                 return Err(fault(
@@ -165,6 +182,17 @@ impl Loader<'_> {
             for axle in &mut axles {
                 axle.position = -axle.position;
             }
+        }
+        // slips of unit, which would run for hours
+        let reach = axles.iter().map(|a| a.position.abs()).fold(0.0, f64::max);
+        if reach > LONGEST_TRAIN {
+            let message = format!("an axle stands {reach} m from the first: more than {LONGEST_TRAIN} m");
+            return Err(fault(Finding::new(at("axles"), message).help("positions are in metres")));
+        }
+        if let Some(i) = axles.iter().position(|a| a.load > HEAVIEST_AXLE) {
+            let message =
+                format!("axle {} has a load of {} N: more than {HEAVIEST_AXLE} N", i + 1, axles[i].load);
+            return Err(fault(Finding::new(at("axles"), message).help("loads are in newtons")));
         }
         Train::new(axles).map_err(|error| {
             use crate::vehicle::VehicleError::{Load, NoLoad, Position};

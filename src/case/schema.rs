@@ -302,7 +302,7 @@ pub struct TrainInput {
     /// Runs the other way: the last axle leads.
     #[serde(default)]
     pub reversed: bool,
-    /// Library files only: length over couplers [m], the distance at which the next vehicle repeats the axles.
+    /// Length over couplers [m], the distance at which `count` repeats the axles.
     pub length: Option<f64>,
 }
 

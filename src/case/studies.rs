@@ -6,7 +6,13 @@ use super::values::{Range, Speed};
 use crate::interaction::{Quantity, Window};
 use crate::study::{
     Contour, CriticalSpeed, EquivalentStiffness, Record, Study, SurfaceComplianceTable, TrackResponse,
+    same_speed, tag,
 };
+
+/// Farthest position a study may ask for [m].
+const FARTHEST: f64 = 10_000.0;
+/// Least distance to the periodic images of a contour [m].
+const LEAST_CLEARANCE: f64 = 20.0;
 
 /// Most values a range may have.
 const MOST: usize = 100_000;
@@ -74,6 +80,20 @@ fn speeds(range: &Range<Speed>, path: &str) -> Result<Vec<f64>, Finding> {
     numbers(&plain(range), path, "m/s", NOT_NEGATIVE)
 }
 
+/// Refuses speeds that files and keys, which name them to 0.01 m/s, could not tell apart.
+fn distinct(values: &[f64], path: &str) -> Result<(), Finding> {
+    for (i, value) in values.iter().enumerate() {
+        if values[..i].iter().any(|other| tag(*other) == tag(*value)) {
+            return Err(Finding::new(
+                format!("{path}[{i}]"),
+                format!("{value} m/s stands there twice, to 0.01 m/s"),
+            )
+            .help("give each speed once"));
+        }
+    }
+    Ok(())
+}
+
 fn ascending(values: &[f64], path: &str) -> Result<(), Finding> {
     match values.windows(2).position(|pair| pair[1] <= pair[0]) {
         Some(i) => Err(Finding::new(
@@ -97,6 +117,10 @@ fn span(input: SpanInput, path: &str) -> Result<(f64, f64), Finding> {
             path,
             format!("from {} to {} m: `to` must lie above `from`", input.from, input.to),
         ));
+    }
+    if input.from.abs().max(input.to.abs()) > FARTHEST {
+        let message = format!("from {} to {} m: farther than {FARTHEST} m", input.from, input.to);
+        return Err(Finding::new(path, message).help("positions are in metres"));
     }
     Ok((input.from, input.to))
 }
@@ -164,7 +188,17 @@ fn track_response(
             format!("a spacing of {spacing} m makes {:.0} positions, more than {MOST}", length / spacing);
         return Err(Finding::new("track_response.spacing", found).help("use a larger spacing"));
     }
-    Ok(TrackResponse { speeds: speeds(&input.speeds, "track_response.speeds")?, x, spacing, records })
+    let speeds = speeds(&input.speeds, "track_response.speeds")?;
+    distinct(&speeds, "track_response.speeds")?;
+    for (i, measured) in input.measured.iter().enumerate() {
+        if !speeds.iter().any(|v| same_speed(*v, measured.speed.0)) {
+            let message =
+                format!("the record is for {} m/s, which is not among the speeds", measured.speed.0);
+            return Err(Finding::new(format!("track_response.measured[{i}].speed"), message)
+                .help("add the speed to track_response.speeds"));
+        }
+    }
+    Ok(TrackResponse { speeds, x, spacing, records })
 }
 
 fn contour(input: &ContourInput) -> Result<Contour, Finding> {
@@ -184,8 +218,14 @@ fn contour(input: &ContourInput) -> Result<Contour, Finding> {
             })
             .collect(),
     };
+    let speeds = speeds(&input.speeds, "contour.speeds")?;
+    distinct(&speeds, "contour.speeds")?;
+    if let Some(clearance) = input.clearance.filter(|c| *c < LEAST_CLEARANCE) {
+        let message = format!("clearance is {clearance} m: it must be at least {LEAST_CLEARANCE} m");
+        return Err(Finding::new("contour.clearance", message));
+    }
     Ok(Contour {
-        speeds: speeds(&input.speeds, "contour.speeds")?,
+        speeds,
         window: Window {
             x: span(input.x, "contour.x")?,
             y: span(input.y, "contour.y")?,

@@ -35,6 +35,13 @@ fn fault(path: &str, error: &TrackError) -> Finding {
 }
 
 fn beam(input: &BeamInput, path: &str) -> Result<Member, Finding> {
+    if !(input.bending_stiffness.is_finite() && input.bending_stiffness > 0.0) {
+        let message = format!(
+            "bending stiffness is {} N m²: it must be finite and above zero",
+            input.bending_stiffness
+        );
+        return Err(Finding::new(format!("{path}.bending_stiffness"), message));
+    }
     Member::beam(input.bending_stiffness, input.mass, input.loss_factor).map_err(|e| fault(path, &e))
 }
 

@@ -66,11 +66,6 @@ impl Interpolant {
         }
         self.coefficients[piece][0] + b1 * t - b2
     }
-
-    /// Ends of the pieces, ascending.
-    pub fn ends(&self) -> &[f64] {
-        &self.ends
-    }
 }
 
 /// Weights of the values at −1, 0, 1, 2 in the cubic through them, at `t` in [0, 1].

@@ -56,16 +56,12 @@ pub fn sinc(x: f64) -> f64 {
 /// Where G(k) of a profile changes, and how it ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
-    /// ω [rad/s]
-    pub omega: f64,
     /// G_zz ≈ A/k + C/k³ of the top material: (A, C).
     pub tail: (Complex64, Complex64),
     /// ω/c_p, ω/c_s and ω/c_R of every material, ascending [rad/m].
     pub wavenumbers: Vec<f64>,
     /// Thickness of the top layer [m]; None on a half-space.
     pub top_thickness: Option<f64>,
-    /// Depth of the base [m].
-    pub depth: f64,
 }
 
 impl Outline {
@@ -78,11 +74,9 @@ impl Outline {
             .collect();
         wavenumbers.sort_by(f64::total_cmp);
         Self {
-            omega,
             tail: half_space::static_tail(profile.top(), omega),
             wavenumbers,
             top_thickness: profile.layers().first().map(|l| l.thickness),
-            depth: profile.depth(),
         }
     }
 }
@@ -173,8 +167,9 @@ pub fn quadrature(
         // e^{−2kh} falls to 2 % at 2/h; below that the tail does not hold
         top = top.max(2.0 / thickness);
     }
-    // whole periods of the kernel
+    // whole periods of the kernel; beyond two thousand of them the integral gives up and says so
     let period = 2.0 * PI / b;
+    top = top.min((2.0 * highest).max(2.0 * beta).max(2000.0 * period)).min(4000.0 * period);
     let mut points = breakpoints(outline, beta, top);
     // no more than a period and a half of the kernel in a panel
     let mut fine = vec![0.0];

@@ -81,7 +81,7 @@ fn largest(values: impl Iterator<Item = f64>) -> (f64, usize, f64) {
 }
 
 /// Curvature over one step, relative to the value, above which the parabola is not good to 1e-5.
-const SHARP: f64 = 0.05;
+const SHARP: f64 = 0.002;
 
 /// The largest of sign × deflection and whether it lies at an end; sharp peaks are searched again twenty times finer.
 fn extreme(response: &MovingLoad, train: &Train, from: f64, rail: &[f64], sign: f64) -> (f64, bool) {
@@ -111,6 +111,17 @@ fn extremes(response: &MovingLoad, train: &Train) -> Extremes {
 
 fn reach(train: &Train) -> f64 {
     train.length() + BEHIND.max(AHEAD) + 1.0
+}
+
+impl Peak {
+    /// The speed, or that there is no maximum inside the range.
+    fn text(&self) -> String {
+        if self.at_end {
+            format!("not in the range; largest at its end, {}", speed_text(self.speed))
+        } else {
+            speed_text(self.speed)
+        }
+    }
 }
 
 /// The maximum of a curve, bracketed by its grid and refined.
@@ -213,7 +224,7 @@ impl CriticalSpeed {
             .attribute("reference_deflection", rest)
             .attribute("amplification", peak.down / rest);
         let mut answers = vec![
-            Answer::new("critical_speed", "Critical speed", peak.speed, "m/s", speed_text(peak.speed)),
+            Answer::new("critical_speed", "Critical speed", peak.speed, "m/s", peak.text()),
             Answer::new(
                 "max_down",
                 "Largest downward rail deflection, at the critical speed",
@@ -275,7 +286,7 @@ impl CriticalSpeed {
                 "Critical speed of the heaviest axle alone",
                 single.speed,
                 "m/s",
-                speed_text(single.speed),
+                single.text(),
             ));
             answers.push(Answer::new(
                 "single_axle_max_down",
@@ -379,7 +390,7 @@ pub(super) fn missed_accuracy(speeds: impl Iterator<Item = f64>) -> Option<Conce
         Concern::new(
             "quadrature",
             format!("the wavenumber integrals missed their accuracy (1e-5) at {} m/s", speeds.join(", ")),
-            "poles lie too close to the real axis: give the layers more damping",
+            "poles lie too close to the real axis (more damping helps), or the track spreads the load too little, or a layer is very thin",
         )
     })
 }

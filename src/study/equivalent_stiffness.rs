@@ -67,7 +67,7 @@ impl EquivalentStiffness {
                         omega / TAU,
                         v.relative_error
                     ),
-                    "a pole lies too close to the real axis: give the layers more damping",
+                    "a pole lies too close to the real axis (more damping helps), or a layer is very thin",
                 )
             })
             .collect();

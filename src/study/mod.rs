@@ -12,7 +12,7 @@ pub use critical_speed::CriticalSpeed;
 pub use equivalent_stiffness::EquivalentStiffness;
 pub use model::{Contact, Model, Support};
 pub use surface_compliance::SurfaceComplianceTable;
-pub use track_response::{Record, TrackResponse};
+pub use track_response::{Record, TrackResponse, same_speed, tag};
 
 use crate::concern::Concern;
 use crate::dataset::Group;

@@ -98,7 +98,7 @@ impl TrackResponse {
                     stroke: Stroke::Dashed,
                 });
             }
-            for record in self.records.iter().filter(|r| (r.speed - speed).abs() < 1e-3 * speed) {
+            for record in self.records.iter().filter(|r| same_speed(r.speed, speed)) {
                 series.push(Series {
                     name: record.label.clone(),
                     x: record.x.clone(),
@@ -135,17 +135,19 @@ impl TrackResponse {
                 "m",
                 "displacement of the ground under the track, positive down",
             );
-        for record in &self.records {
-            let name = format!("record_{}_x", tag(record.speed));
+        for (i, record) in self.records.iter().enumerate() {
+            let name = format!("record_{}", i + 1);
+            let x = format!("{name}_x");
             group = group
-                .coordinate(&name, &record.x, "m", "position of the record, relative to the leading axle")
+                .coordinate(&x, &record.x, "m", "position of the record, relative to the leading axle")
                 .variable(
-                    &format!("record_{}", tag(record.speed)),
-                    &[&name],
+                    &name,
+                    &[&x],
                     ndarray::Array1::from(record.deflection.clone()).into_dyn(),
                     "m",
                     &format!("{}, positive down", record.label),
-                );
+                )
+                .attribute(&format!("{name}_speed"), record.speed);
         }
         Ok(Outcome {
             group,
@@ -159,8 +161,13 @@ impl TrackResponse {
     }
 }
 
+/// True if a record at one speed belongs to the other: within 0.1 %.
+pub fn same_speed(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-3 * a.abs().max(b.abs())
+}
+
 /// "68.5" for names of files and keys: at most two decimals, no trailing zeros.
-pub(super) fn tag(speed: f64) -> String {
+pub fn tag(speed: f64) -> String {
     let text = format!("{speed:.2}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

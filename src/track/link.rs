@@ -99,14 +99,6 @@ impl Link {
             }
         }
     }
-
-    /// Stiffness at rest [N/m²].
-    pub fn static_stiffness(&self) -> f64 {
-        match *self {
-            Self::Spring { stiffness, .. } | Self::ConsistentMass { stiffness, .. } => stiffness,
-            Self::Bars { axial_stiffness, height, .. } => axial_stiffness / height,
-        }
-    }
 }
 
 #[cfg(test)]
