@@ -80,20 +80,20 @@ fn largest(values: impl Iterator<Item = f64>) -> (f64, usize, f64) {
     (if curvature < 0.0 { b - (c - a).powi(2) / (8.0 * curvature) } else { b }, top, curvature)
 }
 
-/// Curvature over one step, relative to the value, above which the parabola is not good to 1e-5.
+/// Curvature over one step, relative to the value, above which the parabola may err by more than 1e-5.
 const SHARP: f64 = 0.002;
 
-/// The largest of sign × deflection and whether it lies at an end; sharp peaks are searched again twenty times finer.
+/// The largest of sign × deflection and whether it lies at an end; sharp peaks are searched again eight times finer.
 fn extreme(response: &MovingLoad, train: &Train, from: f64, rail: &[f64], sign: f64) -> (f64, bool) {
     let (value, at, curvature) = largest(rail.iter().map(|w| sign * w));
     let at_edge = at == 0 || at + 1 == rail.len();
     if at_edge || curvature.abs() < SHARP * value.abs() {
         return (value, at_edge);
     }
-    const FINE: f64 = STEP / 20.0;
+    const FINE: f64 = STEP / 8.0;
     let lead = train.axles()[0].position;
     let start = from + STEP * (at as f64 - 1.0);
-    let mut fine = vec![0.0; 41];
+    let mut fine = vec![0.0; 17];
     for axle in train.axles() {
         let shape = response.shape(start + axle.position - lead, FINE, fine.len());
         fine.iter_mut().zip(shape.rail).for_each(|(sum, w)| *sum += sign * axle.load * w);
