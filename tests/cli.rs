@@ -227,6 +227,51 @@ fn bad_input_is_refused_in_one_message() {
     assert!(faults.is_empty(), "\n{}", faults.join("\n"));
 }
 
+/// Slips that would run for hours, or answer another question than the one asked.
+#[test]
+fn slips_are_refused_at_their_key() {
+    let rail = "axles = [{ position = 0.0, load = 150e3 }]";
+    let speeds = "speeds = [50.0, \"250 km/h\"]";
+    let measured =
+        format!("{speeds}\n[[track_response.measured]]\nspeed = 52.0\nfile = \"r.csv\"\nlabel = \"r\"");
+    let far = format!("{speeds}\nx = {{ from = -1e6, to = 20.0 }}");
+    let length_missing = format!("{rail}\ncount = 8");
+    let train = |axles: &str| format!("axles = [{{ position = 0.0, load = 150e3 }}, {axles}]");
+    let cases: [(&str, &str, &[&str]); 11] = [
+        ("young = 60e6", "young = 60", &["soil.layer[0].young", "case.toml:6", "1.217e-1 m/s", "Pa"]),
+        ("thickness = 2.0", "thickness = 2e-6", &["soil.layer[0].thickness", "case.toml:5", "metres"]),
+        (
+            "bending_stiffness = 1.0e8",
+            "bending_stiffness = 0.0",
+            &["track.beam.bending_stiffness", "above zero"],
+        ),
+        (speeds, "speeds = [50.0, 50.001]", &["track_response.speeds[1]", "twice"]),
+        (speeds, &measured, &["cannot read \"r.csv\"", "track_response.measured[0].file"]),
+        (speeds, &far, &["track_response.x", "metres"]),
+        (rail, &length_missing, &["train.count", "no `length`"]),
+        (rail, "vehicle = \"lamprea2022_axle\"\ncount = 2", &["train.count", "no `length`"]),
+        (rail, "vehicle = \"lamprea2022_axle\"\ncount = 0", &["train.count", "between 1 and 1000"]),
+        (rail, &train("{ position = 2900.0, load = 150e3 }"), &["train.axles", "2900 m", "metres"]),
+        (rail, &train("{ position = 2.9, load = 1e300 }"), &["train.axles", "newtons"]),
+    ];
+    let faults: Vec<String> =
+        cases.iter().filter_map(|(from, to, says)| refused(from, to, says).err()).collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn axles_repeat_by_count_and_length() {
+    let rail = "axles = [{ position = 0.0, load = 150e3 }]";
+    let written = "axles = [{ position = 0.0, load = 150e3 }, { position = 20.0, load = 150e3 }]";
+    let summary = |train: &str| {
+        let (folder, _) = folder_with(&CASE.replace(rail, train));
+        let output = groundwave(&["run", "case.toml", "--out", "out"], folder.path());
+        assert_eq!(code(&output), 0, "{}", err(&output));
+        std::fs::read_to_string(folder.path().join("out/summary.json")).unwrap()
+    };
+    assert_eq!(summary(&format!("{rail}\ncount = 2\nlength = 20.0")), summary(written));
+}
+
 #[test]
 fn bad_files_and_folders_are_refused() {
     let (folder, _) = folder_with(CASE);
