@@ -10,6 +10,8 @@ use crate::study::{Contact, Model, Outcome, Support};
 pub fn solver(model: &Model) -> String {
     match model.support() {
         Support::Ground(_, Solver::DirectStiffness) => "direct-stiffness".into(),
+        Support::Ground(_, Solver::TransferMatrix) => "transfer-matrix".into(),
+        Support::Ground(_, Solver::Flexibility) => "flexibility".into(),
         Support::Winkler(_) => "none (Winkler springs)".into(),
     }
 }

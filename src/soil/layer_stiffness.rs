@@ -19,7 +19,7 @@
 //! closed form (`cross`). Test: every entry of `reference/surface_compliance.csv`.
 
 use super::wave::Wave;
-use crate::math::complex::{one_minus_exp_over, one_minus_exp_series};
+use crate::math::complex::{one_minus_exp_over, one_minus_exp_series, sqrt_decaying};
 use nalgebra::{Matrix1, Matrix2, SMatrix};
 use num_complex::Complex64;
 
@@ -103,7 +103,12 @@ impl LayerStiffness<2> {
     /// Stiffness at the surface of a half-space: R = (k² − ps)/k_s² = (p + γs)/(p + s),
     /// K = μ [[p/R, k(1/R − 2)], [k(1/R − 2), s/R]].
     pub fn half_space(wave: &Wave, k: f64) -> Matrix2<Complex64> {
-        let (p, s) = wave.vertical(k);
+        Self::half_space_at(wave, Complex64::from(k))
+    }
+
+    /// The same at a complex wavenumber, on the sheet Re p, Re s ≥ 0.
+    pub fn half_space_at(wave: &Wave, k: Complex64) -> Matrix2<Complex64> {
+        let (p, s) = (sqrt_decaying(k * k - wave.kp2), sqrt_decaying(k * k - wave.ks2));
         let inv_r = (p + s) / (p + wave.gamma * s);
         let off = wave.mu * k * (inv_r - 2.0);
         Matrix2::new(wave.mu * p * inv_r, off, off, wave.mu * s * inv_r)

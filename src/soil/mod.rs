@@ -10,19 +10,23 @@
 mod chain;
 mod compliance;
 pub mod direct_stiffness;
+pub mod flexibility;
 pub mod half_space;
 mod layer_stiffness;
 mod material;
 mod profile;
 pub mod strip;
+pub mod transfer_matrix;
 pub(crate) mod wave;
 pub mod wave_amplitudes;
 
 pub use compliance::{Compliance, SurfaceCompliance};
 pub use direct_stiffness::DirectStiffness;
+pub use flexibility::Flexibility;
 pub use material::{Elastic, Material};
 pub use profile::{Base, Layer, Profile};
 pub use strip::{Compatibility, Strip};
+pub use transfer_matrix::TransferMatrix;
 
 use crate::math::quadrature::Estimate;
 use num_complex::Complex64;
@@ -75,6 +79,18 @@ pub enum Solver {
     /// Exact layer stiffness matrices.
     #[default]
     DirectStiffness,
+    /// Compound transfer matrices; surface only.
+    TransferMatrix,
+    /// Recursion on flexibilities; surface only.
+    Flexibility,
+}
+
+/// Refuses depths on behalf of a solver of the surface alone.
+fn surface_only(solver: &'static str, depths: &[f64]) -> Result<(), SoilError> {
+    match depths.iter().find(|z| **z != 0.0) {
+        Some(&depth) => Err(SoilError::SurfaceOnly { solver, depth }),
+        None => Ok(()),
+    }
 }
 
 impl GroundSolver for Solver {
@@ -86,6 +102,8 @@ impl GroundSolver for Solver {
     ) -> Result<Box<dyn PreparedGround>, SoilError> {
         match self {
             Self::DirectStiffness => DirectStiffness.prepare(profile, omega, depths),
+            Self::TransferMatrix => TransferMatrix.prepare(profile, omega, depths),
+            Self::Flexibility => Flexibility.prepare(profile, omega, depths),
         }
     }
 }
@@ -142,6 +160,31 @@ pub enum SoilError {
     /// A rigid base with nothing on it.
     #[error("the ground has no layer on its rigid base: add a layer, or use a half-space")]
     NoGround,
+    /// A solver that answers at the surface only.
+    #[error(
+        "the {solver} method answers at the surface only, not at a depth of {depth} m: use direct-stiffness or thin-layer"
+    )]
+    SurfaceOnly {
+        /// Its name.
+        solver: &'static str,
+        /// What was asked [m].
+        depth: f64,
+    },
+    /// A product of transfer matrices has cancelled.
+    #[error(
+        "the product of transfer matrices has lost the compliance at k = {k} rad/m, ω = {omega} rad/s: its rounding error may \
+         be {error:.1e} of it, more than {allowed:.0e}; use the compound matrix (transfer-matrix), direct-stiffness or flexibility"
+    )]
+    DigitsLost {
+        /// [rad/m]
+        k: f64,
+        /// [rad/s]
+        omega: f64,
+        /// Bound of the relative error.
+        error: f64,
+        /// Largest one accepted.
+        allowed: f64,
+    },
     /// A depth outside the ground.
     #[error("depth {depth} m is outside the ground (0 to {bottom} m{})", if *rigid { ", rigid below" } else { " and the half-space below" })]
     Depth {

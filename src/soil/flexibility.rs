@@ -1,0 +1,135 @@
+//! The flexibility method: the flexibility felt at the top of each layer from the one felt at its bottom.
+//!
+//! In a layer, motion is a wave going down from its top, displacements e^{−Nz}a, and one going up from its bottom,
+//! M e^{−N(h−z)} M b with M = diag(1, −1). Tractions of a down-going wave are those of a half-space, K a, whence N; those of
+//! an up-going one −M K M b. On ground of flexibility Q (u = Q p) below,
+//!
+//! ```text
+//! b = −R E a,  R = (1 + Q K̂)⁻¹ (1 − Q K),  K̂ = M K M,  E = e^{−Nh}
+//! Q′ = (1 − Ê R E) (K + K̂ Ê R E)⁻¹,        Ê = M E M
+//! ```
+//!
+//! Every exponential decays, so any kh will do; K and E are regular where P and S waves merge, so ω = 0 will.
+//! No stiffness of a layer is formed and nothing assembled. Source: Sheng, Jones & Petyt 1999, whose recursion on transfer
+//! matrices this is, with the waves going each way kept apart. Surface only.
+
+use super::chain::upside_down;
+use super::layer_stiffness::LayerStiffness;
+use super::strip::Outline;
+use super::transfer_matrix::{Waves, surface_compliance};
+use super::wave::Wave;
+use super::{Compliance, GroundSolver, PreparedGround, Profile, SoilError, SurfaceCompliance};
+use crate::math::complex::one_minus_exp_over;
+use nalgebra::Matrix2;
+use num_complex::Complex64;
+
+/// The flexibility method; it has no settings.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Flexibility;
+
+/// The flexibility method at one ω.
+struct FlexibilityAt {
+    waves: Waves,
+    negative: bool,
+    outline: Outline,
+}
+
+type Block = Matrix2<Complex64>;
+
+fn inverse(a: Block) -> Block {
+    let scale = (a[(0, 0)] * a[(1, 1)] - a[(0, 1)] * a[(1, 0)]).inv();
+    Block::new(a[(1, 1)] * scale, -a[(0, 1)] * scale, -a[(1, 0)] * scale, a[(0, 0)] * scale)
+}
+
+/// K and E = e^{−Nh} of the down-going waves of a layer.
+///
+/// u′ = −kw + τ/μ, w′ = (1 − 2γ)ku + γσ/μ with (τ, σ) = −K(u, w) make N, whose eigenvalues are p and s:
+/// E = e^{−sh} − (N − s) (e^{−sh} − e^{−ph})/(p − s).
+fn down_going(wave: &Wave, k: f64, thickness: f64) -> (Block, Block) {
+    let stiffness = LayerStiffness::<2>::half_space(wave, k);
+    let one = Complex64::ONE;
+    let rest = (1.0 - 2.0 * wave.gamma) * k;
+    let n = Block::new(Complex64::ZERO, k * one, -rest, Complex64::ZERO)
+        + Block::from_diagonal(&[one, wave.gamma].into()) * stiffness / wave.mu;
+    let (p, s) = wave.vertical(k);
+    let sum = p + s;
+    // (p − s)h from p² − s², free of cancellation
+    let x = if sum == Complex64::ZERO { sum } else { (wave.ks2 - wave.kp2) * thickness / sum };
+    let (e_p, e_s) = ((-p * thickness).exp(), (-s * thickness).exp());
+    // (e^{−sh} − e^{−ph})/(p − s) = h e^{−sh} (1 − e^{−x})/x; Re p ≥ Re s but for odd pairs of loss factors
+    let quotient = if x.re >= 0.0 {
+        thickness * e_s * one_minus_exp_over(x, (-x).exp())
+    } else {
+        thickness * e_p * one_minus_exp_over(-x, x.exp())
+    };
+    (stiffness, Block::identity() * e_s - (n - Block::identity() * s) * quotient)
+}
+
+impl FlexibilityAt {
+    fn in_plane(&self, k: f64) -> Block {
+        // rock does not yield
+        let mut q = self
+            .waves
+            .half_space
+            .map_or_else(Block::zeros, |w| inverse(LayerStiffness::<2>::half_space(&w, k)));
+        for (wave, h) in self.waves.layers.iter().rev() {
+            let (down, e) = down_going(wave, k, *h);
+            let (up, e_up) = (upside_down(down), upside_down(e));
+            let one = Block::identity();
+            let reflected = e_up * inverse(one + q * up) * (one - q * down) * e;
+            q = (one - reflected) * inverse(down + up * reflected);
+        }
+        q
+    }
+
+    /// Q′ = (1 − r)/(μs(1 + r)), r = e^{−2sh} (1 − Qμs)/(1 + Qμs)
+    fn anti_plane(&self, k: f64) -> Complex64 {
+        let mut q = self.waves.half_space.map_or(Complex64::ZERO, |w| 1.0 / (w.mu * w.vertical(k).1));
+        for (wave, h) in self.waves.layers.iter().rev() {
+            let s = wave.vertical(k).1;
+            let stiffness = wave.mu * s;
+            let e = (-2.0 * s * *h).exp();
+            // 1 − r = (1 − e + Qμs(1 + e))/(1 + Qμs), likewise 1 + r: free of cancellation where sh is small
+            let loss = 2.0 * *h * one_minus_exp_over(2.0 * s * *h, e);
+            q = (loss / wave.mu + q * (1.0 + e)) / (1.0 + e + q * stiffness * s * loss);
+        }
+        q
+    }
+}
+
+impl GroundSolver for Flexibility {
+    fn prepare(
+        &self,
+        profile: &Profile,
+        omega: f64,
+        depths: &[f64],
+    ) -> Result<Box<dyn PreparedGround>, SoilError> {
+        super::surface_only("flexibility", depths)?;
+        Ok(Box::new(FlexibilityAt {
+            waves: Waves::new(profile, omega.abs()),
+            negative: omega < 0.0,
+            outline: Outline::new(profile, omega),
+        }))
+    }
+}
+
+impl PreparedGround for FlexibilityAt {
+    fn surface(&self, k: f64) -> SurfaceCompliance {
+        surface_compliance(&self.in_plane(k), self.anti_plane(k), self.negative)
+    }
+
+    #[inline]
+    fn u_zz(&self, k: f64) -> Complex64 {
+        let g = self.in_plane(k)[(1, 1)];
+        if self.negative { g.conj() } else { g }
+    }
+
+    fn at_depths(&self, _k: f64, _source: usize) -> Vec<Compliance> {
+        // none can have been prepared
+        Vec::new()
+    }
+
+    fn outline(&self) -> &Outline {
+        &self.outline
+    }
+}
