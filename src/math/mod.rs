@@ -6,3 +6,4 @@ pub mod fourier;
 pub mod interpolation;
 pub mod maximum;
 pub mod quadrature;
+pub mod root;

@@ -36,7 +36,7 @@ pub(super) fn inverse_symmetric(a: &Matrix2<Complex64>) -> Matrix2<Complex64> {
 }
 
 /// Inverse of any block; NaN where it is singular.
-fn inverse<const N: usize>(a: SMatrix<Complex64, N, N>) -> SMatrix<Complex64, N, N> {
+pub(super) fn inverse<const N: usize>(a: SMatrix<Complex64, N, N>) -> SMatrix<Complex64, N, N> {
     a.try_inverse().unwrap_or_else(|| SMatrix::from_element(Complex64::new(f64::NAN, f64::NAN)))
 }
 

@@ -131,6 +131,11 @@ impl Material {
         self.loss_pressure
     }
 
+    /// The same material with both loss factors × `factor`, 0 to 1.
+    pub fn with_loss_times(&self, factor: f64) -> Self {
+        Self { loss_shear: factor * self.loss_shear, loss_pressure: factor * self.loss_pressure, ..*self }
+    }
+
     /// μ* = μ(1 + iη_s sgn ω) [Pa]
     pub fn complex_shear_modulus(&self, omega: f64) -> Complex64 {
         self.shear_modulus * Complex64::new(1.0, self.loss_shear * sign(omega))

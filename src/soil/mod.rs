@@ -10,6 +10,7 @@
 mod chain;
 mod compliance;
 pub mod direct_stiffness;
+pub mod dispersion;
 pub mod flexibility;
 pub mod half_space;
 mod layer_stiffness;

@@ -84,6 +84,18 @@ impl Profile {
         self.materials().all(|m| m.loss_factor() == 0.0 && m.loss_factor_pressure() == 0.0)
     }
 
+    /// The same ground with every loss factor × `factor`, 0 to 1.
+    pub fn with_loss_times(&self, factor: f64) -> Self {
+        let layer = |l: &Layer| Layer { material: l.material.with_loss_times(factor), ..*l };
+        Self {
+            layers: self.layers.iter().map(layer).collect(),
+            base: match self.base {
+                Base::HalfSpace(material) => Base::HalfSpace(material.with_loss_times(factor)),
+                Base::Rigid => Base::Rigid,
+            },
+        }
+    }
+
     /// Smallest Rayleigh speed of the materials [m/s]: no surface wave of the profile is slower.
     pub fn slowest_rayleigh_speed(&self) -> f64 {
         self.materials().map(Material::rayleigh_speed).fold(f64::INFINITY, f64::min)

@@ -3,6 +3,7 @@
 //! Measured values stand beside the tolerances; all lengths in millimetres, speeds in m/s unless named km/h.
 
 mod closed_forms;
+mod dispersion;
 mod lamprea;
 mod ledsgard;
 mod mezher;

@@ -1,0 +1,263 @@
+//! Waves that travel along the ground by themselves: Rayleigh and Love modes.
+//!
+//! Modes of undamped ground are **counted before they are sought**. At wavenumber k the stiffness matrix of the whole stack
+//! has as many negative pivots as there are modes of lower frequency (Wittrick & Williams 1971), once every layer is cut so
+//! thin that it cannot vibrate between fixed faces: its lowest such frequency is at least c_s √(k² + π²/h²). The count
+//! is a staircase in k whose steps bracket the roots one by one; a root of the compound matrix, which shares
+//! nothing with the count, is then found in each bracket. Damped modes are followed from the undamped ones.
+//!
+//! Trapped modes only: slower than shear waves in the half-space. Faster, leaky ones lose energy downward and are left out.
+
+use super::layer_stiffness::LayerStiffness;
+use super::transfer_matrix::Waves;
+use super::wave::Wave;
+use super::{Profile, chain};
+use crate::math::root;
+use nalgebra::SMatrix;
+use num_complex::Complex64;
+use std::f64::consts::PI;
+
+/// Wavenumbers at which the modes are counted before the steps of the count are narrowed down. A step up and a step
+/// down between two of them, as a wave with negative group velocity makes near its cut-off, is not seen.
+const SCAN: usize = 96;
+/// Steps in which damping is turned on.
+const DAMPING_STEPS: usize = 4;
+
+/// Which waves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SurfaceWave {
+    /// P–SV: vertical and along the direction of travel.
+    Rayleigh,
+    /// SH: across the direction of travel.
+    Love,
+}
+
+/// A wave e^{i(ωt + kx)} that needs no load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mode {
+    /// k [rad/m], Re k > 0; Im k ≤ 0, zero without damping.
+    pub k: Complex64,
+    /// c = ω/Re k [m/s]
+    pub phase_velocity: f64,
+    /// c_g = 1/Re(dk/dω) [m/s]
+    pub group_velocity: f64,
+    /// −Im k [1/m]: the amplitude decays as e^{−attenuation · distance}.
+    pub attenuation: f64,
+}
+
+/// The modes at one frequency.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Modes {
+    /// The slowest ones, by rising phase velocity of the undamped ground.
+    pub modes: Vec<Option<Mode>>,
+    /// How many trapped modes there are at this frequency, wanted or not.
+    pub count: usize,
+}
+
+/// Number of modes of the undamped ground with wavenumber `k` [rad/m] and a frequency below `omega` [rad/s]: with forward
+/// waves only, the number of modes at `omega` with larger wavenumbers, slower than ω/k.
+///
+/// `k` > ω/c_s of the half-space, above zero on rock. Exact.
+/// Source: Wittrick & Williams 1971, Q. J. Mech. Appl. Math. 24:263.
+pub fn count(profile: &Profile, wave: SurfaceWave, omega: f64, k: f64) -> usize {
+    staircase(&Waves::new(&profile.with_loss_times(0.0), omega), wave, k)
+}
+
+fn staircase(waves: &Waves, wave: SurfaceWave, k: f64) -> usize {
+    match wave {
+        SurfaceWave::Rayleigh => negative_pivots(
+            waves,
+            k,
+            |w, h| LayerStiffness::<2>::layer(w, h, k),
+            waves.half_space.map(|w| LayerStiffness::<2>::half_space(&w, k)),
+            |a| {
+                let (a, b, c) = (a[(0, 0)].re, a[(0, 1)].re, a[(1, 1)].re);
+                if a * c - b * b < 0.0 {
+                    1
+                } else if a + c < 0.0 {
+                    2
+                } else {
+                    0
+                }
+            },
+        ),
+        SurfaceWave::Love => negative_pivots(
+            waves,
+            k,
+            |w, h| LayerStiffness::<1>::layer(w, h, k),
+            waves.half_space.map(|w| LayerStiffness::<1>::half_space(&w, k)),
+            |a| usize::from(a[(0, 0)].re < 0.0),
+        ),
+    }
+}
+
+/// Negative eigenvalues of the pivots met while the stack is condensed from the base upward.
+fn negative_pivots<const N: usize>(
+    waves: &Waves,
+    k: f64,
+    layer: impl Fn(&Wave, f64) -> LayerStiffness<N>,
+    base: Option<SMatrix<Complex64, N, N>>,
+    negative: impl Fn(&SMatrix<Complex64, N, N>) -> usize,
+) -> usize {
+    let mut below = base;
+    let mut sum = 0;
+    for (wave, h) in waves.layers.iter().rev() {
+        // ω² < c_s²(k² + π²/h²) for every part
+        let parts = 1.0 + (h * (wave.ks2.re - k * k).max(0.0).sqrt() / PI).floor();
+        let LayerStiffness { direct, cross } = layer(wave, h / parts);
+        for _ in 0..parts as usize {
+            below = Some(chain::upside_down(match below {
+                Some(below) => {
+                    let pivot = direct + below;
+                    sum += negative(&pivot);
+                    direct - cross * chain::inverse(pivot) * cross
+                }
+                None => direct,
+            }));
+        }
+    }
+    sum + below.map_or(0, |surface| negative(&surface))
+}
+
+/// The Rayleigh or Love function at `k`, relative to the scale `reference`.
+fn secular(waves: &Waves, wave: SurfaceWave, k: Complex64, reference: f64) -> Complex64 {
+    let (value, scale) = match wave {
+        SurfaceWave::Rayleigh => waves.rayleigh(k),
+        SurfaceWave::Love => waves.love(k),
+    };
+    value * (scale - reference).clamp(-600.0, 600.0).exp()
+}
+
+/// Wavenumbers of the `wanted` slowest modes of undamped ground, descending, and the count of all of them.
+fn undamped(
+    waves: &Waves,
+    profile: &Profile,
+    wave: SurfaceWave,
+    omega: f64,
+    wanted: usize,
+) -> (Vec<f64>, usize) {
+    let slowest = match wave {
+        SurfaceWave::Rayleigh => profile.slowest_rayleigh_speed(),
+        SurfaceWave::Love => profile.materials().map(|m| m.c_s()).fold(f64::INFINITY, f64::min),
+    };
+    // a little beyond the slowest wave there is, to which modes of a soft top layer converge
+    let highest = omega / slowest * (1.0 + 1e-6);
+    let lowest = match waves.half_space {
+        Some(half_space) => half_space.ks2.re.sqrt() * (1.0 + 1e-12),
+        None => 1e-6 * highest,
+    };
+    let total = if lowest < highest { staircase(waves, wave, lowest) } else { 0 };
+    let mut roots = Vec::new();
+    if total == 0 {
+        return (roots, 0);
+    }
+    // on rock waves may run backward, and the count rises before it falls
+    let at = |i: usize| lowest + (highest - lowest) * i as f64 / SCAN as f64;
+    let (mut high, mut count_high) = (highest, staircase(waves, wave, highest));
+    for i in (0..SCAN).rev() {
+        let (low, count_low) = (at(i), if i == 0 { total } else { staircase(waves, wave, at(i)) });
+        isolate(waves, wave, (low, count_low), (high, count_high), &mut roots);
+        if roots.len() >= wanted {
+            break;
+        }
+        (high, count_high) = (low, count_low);
+    }
+    roots.truncate(wanted);
+    (roots, total)
+}
+
+/// Pushes the root in every step of the count between `low` and `high`, from above.
+fn isolate(waves: &Waves, wave: SurfaceWave, low: (f64, usize), high: (f64, usize), roots: &mut Vec<f64>) {
+    let steps = low.1.abs_diff(high.1);
+    if steps == 0 {
+        return;
+    }
+    let narrow = high.0 - low.0 <= 1e-12 * high.0;
+    if steps == 1 || narrow {
+        let (_, reference) = match wave {
+            SurfaceWave::Rayleigh => waves.rayleigh(Complex64::from(low.0)),
+            SurfaceWave::Love => waves.love(Complex64::from(low.0)),
+        };
+        let f = |k: f64| secular(waves, wave, Complex64::from(k), reference).re;
+        let found = if narrow { None } else { root::bracketed(f, low.0, high.0, 1e-14) };
+        if let Some(k) = found {
+            roots.push(k);
+            return;
+        }
+        if narrow {
+            // modes closer together than digits
+            roots.extend(std::iter::repeat_n(0.5 * (low.0 + high.0), steps));
+            return;
+        }
+    }
+    let middle = 0.5 * (low.0 + high.0);
+    let middle = (middle, staircase(waves, wave, middle));
+    isolate(waves, wave, middle, high, roots);
+    isolate(waves, wave, low, middle, roots);
+}
+
+/// dk/dω = −F_ω/F_k by five-point differences.
+fn slowness(profile: &Profile, wave: SurfaceWave, omega: f64, k: Complex64) -> Complex64 {
+    // F varies as e^{2kH} at most
+    let step = 2e-3 / (1.0 + 2.0 * k.norm() * profile.depth());
+    let here = Waves::new(profile, omega);
+    let reference = match wave {
+        SurfaceWave::Rayleigh => here.rayleigh(k).1,
+        SurfaceWave::Love => here.love(k).1,
+    };
+    // f′ = (f₋₂ − 8f₋₁ + 8f₁ − f₂)/(12h)
+    let weights = [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)];
+    let (mut by_k, mut by_omega) = (Complex64::ZERO, Complex64::ZERO);
+    for (at, weight) in weights {
+        let factor = 1.0 + at * step;
+        by_k += weight * secular(&here, wave, k * factor, reference) / k;
+        by_omega += weight * secular(&Waves::new(profile, omega * factor), wave, k, reference) / omega;
+    }
+    -by_omega / by_k
+}
+
+/// The `wanted` slowest trapped modes at `omega` > 0 [rad/s].
+///
+/// Damped modes continue the undamped ones as damping is turned on; one that leaves its sheet (near a cut-off) or meets
+/// another is None. Accuracy: 1e-9 of k against the papers' tables where they have the digits; group velocity 1e-7
+/// (tests `papers::dispersion`, `analytic::rayleigh`).
+pub fn modes(profile: &Profile, wave: SurfaceWave, omega: f64, wanted: usize) -> Modes {
+    let elastic = profile.with_loss_times(0.0);
+    let waves = Waves::new(&elastic, omega);
+    let (roots, count) = undamped(&waves, &elastic, wave, omega, wanted);
+    let mut found: Vec<Option<Complex64>> = roots.iter().map(|k| Some(Complex64::from(*k))).collect();
+    if !profile.is_undamped() {
+        for step in 1..=DAMPING_STEPS {
+            let waves = Waves::new(&profile.with_loss_times(step as f64 / DAMPING_STEPS as f64), omega);
+            for slot in &mut found {
+                *slot = slot.and_then(|k| follow(&waves, wave, k));
+            }
+        }
+        for i in 0..found.len() {
+            let Some(k) = found[i] else { continue };
+            let twice = |other: &Option<Complex64>| other.is_some_and(|o| (o - k).norm() < 1e-9 * k.norm());
+            // two that were apart have become one
+            if found[..i].iter().any(twice) && roots[i] != roots[i - 1] {
+                found[i] = None;
+            }
+        }
+    }
+    let mode = |k: Complex64| Mode {
+        k,
+        phase_velocity: omega / k.re,
+        group_velocity: 1.0 / slowness(profile, wave, omega, k).re,
+        attenuation: 0.0 - k.im,
+    };
+    Modes { modes: found.into_iter().map(|k| k.map(mode)).collect(), count }
+}
+
+/// The root near `k` once damping has grown a little.
+fn follow(waves: &Waves, wave: SurfaceWave, k: Complex64) -> Option<Complex64> {
+    let (_, reference) = match wave {
+        SurfaceWave::Rayleigh => waves.rayleigh(k),
+        SurfaceWave::Love => waves.love(k),
+    };
+    let root = root::complex(|k| secular(waves, wave, k, reference), k, 1e-12)?;
+    // a decaying wave that has not jumped to another mode
+    (root.re > 0.0 && root.im <= 0.0 && (root - k).norm() < 0.1 * k.norm()).then_some(root)
+}
