@@ -12,6 +12,7 @@ pub fn solver(model: &Model) -> String {
         Support::Ground(_, Solver::DirectStiffness) => "direct-stiffness".into(),
         Support::Ground(_, Solver::TransferMatrix) => "transfer-matrix".into(),
         Support::Ground(_, Solver::Flexibility) => "flexibility".into(),
+        Support::Ground(_, Solver::ThinLayer(_)) => "thin-layer".into(),
         Support::Winkler(_) => "none (Winkler springs)".into(),
     }
 }

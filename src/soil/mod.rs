@@ -17,6 +17,7 @@ mod layer_stiffness;
 mod material;
 mod profile;
 pub mod strip;
+pub mod thin_layer;
 pub mod transfer_matrix;
 pub(crate) mod wave;
 pub mod wave_amplitudes;
@@ -27,6 +28,7 @@ pub use flexibility::Flexibility;
 pub use material::{Elastic, Material};
 pub use profile::{Base, Layer, Profile};
 pub use strip::{Compatibility, Strip};
+pub use thin_layer::ThinLayer;
 pub use transfer_matrix::TransferMatrix;
 
 use crate::math::quadrature::Estimate;
@@ -75,7 +77,7 @@ pub trait PreparedGround: Send + Sync {
 }
 
 /// A solver by name, as a case file asks for it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Solver {
     /// Exact layer stiffness matrices.
     #[default]
@@ -84,6 +86,8 @@ pub enum Solver {
     TransferMatrix,
     /// Recursion on flexibilities; surface only.
     Flexibility,
+    /// Thin layers and their modes.
+    ThinLayer(ThinLayer),
 }
 
 /// Refuses depths on behalf of a solver of the surface alone.
@@ -105,6 +109,7 @@ impl GroundSolver for Solver {
             Self::DirectStiffness => DirectStiffness.prepare(profile, omega, depths),
             Self::TransferMatrix => TransferMatrix.prepare(profile, omega, depths),
             Self::Flexibility => Flexibility.prepare(profile, omega, depths),
+            Self::ThinLayer(settings) => settings.prepare(profile, omega, depths),
         }
     }
 }
@@ -185,6 +190,35 @@ pub enum SoilError {
         error: f64,
         /// Largest one accepted.
         allowed: f64,
+    },
+    /// An accuracy thin layers are not made for.
+    #[error("the accuracy of the thin-layer method is {value}: it must lie between 1e-9 and 0.1")]
+    Accuracy {
+        /// What was given.
+        value: f64,
+    },
+    /// Too few sublayers.
+    #[error("{given} sublayers to a wavelength cannot reach an accuracy of {accuracy:e}: {needed} would")]
+    Sublayers {
+        /// Per wavelength.
+        given: f64,
+        /// Per wavelength.
+        needed: f64,
+        /// What was asked.
+        accuracy: f64,
+    },
+    /// An eigenproblem too large.
+    #[error(
+        "the thin-layer method needs {sublayers} sublayers at {frequency:.3} Hz, more than the {most} whose modes can be found: \
+         use half_space = \"exact\" (no modes), a lower accuracy or frequency, or direct-stiffness"
+    )]
+    Unknowns {
+        /// Needed.
+        sublayers: usize,
+        /// Largest number.
+        most: usize,
+        /// [Hz]
+        frequency: f64,
     },
     /// A depth outside the ground.
     #[error("depth {depth} m is outside the ground (0 to {bottom} m{})", if *rigid { ", rigid below" } else { " and the half-space below" })]

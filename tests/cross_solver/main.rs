@@ -9,3 +9,4 @@ mod depths;
 mod k_eq;
 mod light_damping;
 mod surface_compliance;
+mod thin_layer;

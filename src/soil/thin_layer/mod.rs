@@ -1,0 +1,337 @@
+//! The thin-layer method: finite elements in depth, exact along the ground, and modes that answer in closed form.
+//!
+//! Source: Waas 1972; Kausel & Peek 1982; Kausel 1986, 1994; linear in k² by the similarity of THEORY 2.
+
+mod element;
+mod mesh;
+mod modes;
+
+pub use element::Element;
+
+use super::layer_stiffness::LayerStiffness;
+use super::strip::{Outline, Strip};
+use super::transfer_matrix::surface_compliance;
+use super::wave::Wave;
+use super::{Compliance, GroundSolver, PreparedGround, Profile, SoilError, SurfaceCompliance, chain};
+use crate::math::complex::I;
+use crate::math::quadrature::Estimate;
+use mesh::{Mesh, Resolution};
+use modes::Modes;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+use std::sync::OnceLock;
+
+/// Most unknowns of an in-plane eigenproblem; it takes some ten seconds.
+const MOST_UNKNOWNS: usize = 1600;
+
+/// How the half-space below the layers is treated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum BelowLayers {
+    /// Matched layers, so that there are modes.
+    #[default]
+    Matched,
+    /// Its exact stiffness: one system of equations for each wavenumber, no modes.
+    Exact,
+}
+
+/// Settings of the thin-layer method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThinLayer {
+    element: Element,
+    accuracy: f64,
+    per_wavelength: f64,
+    below: BelowLayers,
+    k_max: f64,
+    /// Frequencies the same sublayers serve [rad/s]; None for the one prepared.
+    frequencies: Option<(f64, f64)>,
+}
+
+impl Default for ThinLayer {
+    fn default() -> Self {
+        let (element, accuracy) = (Element::Cubic, 1e-6);
+        let per_wavelength = sublayers_for(element, accuracy);
+        Self {
+            element,
+            accuracy,
+            per_wavelength,
+            below: BelowLayers::Matched,
+            k_max: 100.0,
+            frequencies: None,
+        }
+    }
+}
+
+/// Sublayers per wavelength with which G is right to `accuracy` of its largest value on ordinary soil.
+///
+/// From the order of the element and one measured point each, doubled with ν = 0.495 in mind (test
+/// `cross_solver::thin_layer`).
+fn sublayers_for(element: Element, accuracy: f64) -> f64 {
+    let (sublayers, at) = match element {
+        Element::Linear => (30.0, 1e-2),
+        Element::Quadratic => (8.0, 1e-4),
+        Element::Cubic => (8.0, 1e-6),
+    };
+    sublayers * (at / accuracy).powf(0.5 / element.degree() as f64)
+}
+
+/// The thin-layer method at one ω.
+struct ThinLayerAt {
+    settings: ThinLayer,
+    profile: Profile,
+    /// |ω|
+    omega: f64,
+    depths: Vec<f64>,
+    /// With matched layers; empty where only the exact half-space serves.
+    mesh: Mesh,
+    in_plane: OnceLock<Option<InPlane>>,
+    anti_plane: OnceLock<Option<Modes>>,
+    negative: bool,
+    outline: Outline,
+}
+
+/// Modes and the wavenumbers between which they answer.
+struct InPlane {
+    modes: Modes,
+    band: (f64, f64),
+}
+
+impl ThinLayer {
+    /// Settings for compliances right to `accuracy` of their largest value, with `per_wavelength` sublayers to the
+    /// shortest wave (as many as are needed, if None).
+    ///
+    /// # Errors
+    /// An accuracy outside 1e-9 to 0.1; too few sublayers for it.
+    pub fn new(
+        element: Element,
+        accuracy: f64,
+        per_wavelength: Option<f64>,
+        below: BelowLayers,
+    ) -> Result<Self, SoilError> {
+        if !(1e-9..=0.1).contains(&accuracy) {
+            return Err(SoilError::Accuracy { value: accuracy });
+        }
+        let needed = sublayers_for(element, accuracy);
+        let per_wavelength = per_wavelength.unwrap_or(needed);
+        // written so that NaN is refused
+        if !(per_wavelength >= 0.99 * needed && per_wavelength.is_finite()) {
+            return Err(SoilError::Sublayers { given: per_wavelength, needed: needed.ceil(), accuracy });
+        }
+        Ok(Self { element, accuracy, per_wavelength, below, k_max: 100.0, frequencies: None })
+    }
+
+    /// The same with modes that hold up to wavenumber `k_max` [rad/m], and no finer than `accuracy` asks.
+    #[must_use]
+    pub fn resolving(self, k_max: f64, accuracy: f64) -> Self {
+        let accuracy = accuracy.max(self.accuracy);
+        let coarser = (self.accuracy / accuracy).powf(0.5 / self.element.degree() as f64);
+        // three sublayers to a wave at least
+        let per_wavelength = (self.per_wavelength * coarser).max(3.0).min(self.per_wavelength);
+        Self { k_max, accuracy, per_wavelength, ..self }
+    }
+
+    /// The same with one set of sublayers for all frequencies from `low` to `high` [rad/s], so that results are smooth in ω.
+    #[must_use]
+    pub fn for_frequencies(self, low: f64, high: f64) -> Self {
+        Self { frequencies: Some((low, high)), ..self }
+    }
+
+    /// The settings, in words.
+    pub fn text(&self) -> String {
+        let element = match self.element {
+            Element::Linear => "linear",
+            Element::Quadratic => "quadratic",
+            Element::Cubic => "cubic",
+        };
+        let below = match self.below {
+            BelowLayers::Matched => "matched layers for the half-space",
+            BelowLayers::Exact => "exact half-space",
+        };
+        format!("{element} elements, {:.1} to a wavelength, {below}", self.per_wavelength)
+    }
+
+    fn resolution(&self, omega: f64, k_max: f64) -> Resolution {
+        Resolution {
+            element: self.element,
+            per_wavelength: self.per_wavelength,
+            accuracy: self.accuracy,
+            k_min: 1e-8 * self.k_max,
+            k_max,
+            omega: self.frequencies.unwrap_or((omega, omega)),
+        }
+    }
+}
+
+impl GroundSolver for ThinLayer {
+    fn prepare(
+        &self,
+        profile: &Profile,
+        omega: f64,
+        depths: &[f64],
+    ) -> Result<Box<dyn PreparedGround>, SoilError> {
+        let (split, _) = profile.split_at(depths)?;
+        // the surface is always wanted
+        let mut all = vec![0.0];
+        all.extend(depths);
+        let omega_abs = omega.abs();
+        let resolution = self.resolution(omega_abs, self.k_max);
+        let mesh = match self.below {
+            BelowLayers::Matched => {
+                let mesh =
+                    Mesh::new(&split, omega_abs, &all, &resolution, 0.0).matched(omega_abs, &resolution);
+                let unknowns = 2 * mesh.size();
+                if unknowns > MOST_UNKNOWNS {
+                    return Err(SoilError::Unknowns {
+                        sublayers: mesh.sublayers.len(),
+                        most: mesh.sublayers.len() * MOST_UNKNOWNS / unknowns,
+                        frequency: omega_abs / TAU,
+                    });
+                }
+                mesh
+            }
+            BelowLayers::Exact => {
+                Mesh { sublayers: Vec::new(), nodes: Vec::new(), interfaces: Vec::new(), half_space: None }
+            }
+        };
+        Ok(Box::new(ThinLayerAt {
+            settings: *self,
+            profile: split,
+            omega: omega_abs,
+            depths: all,
+            mesh,
+            in_plane: OnceLock::new(),
+            anti_plane: OnceLock::new(),
+            negative: omega < 0.0,
+            outline: Outline::new(profile, omega),
+        }))
+    }
+}
+
+impl ThinLayerAt {
+    /// The in-plane modes, if there are any: with the wavenumbers above which they agree with the equations they come from.
+    fn modes(&self) -> Option<&InPlane> {
+        let found = self.in_plane.get_or_init(|| {
+            if self.mesh.sublayers.is_empty() {
+                return None;
+            }
+            let modes = Modes::in_plane(&self.mesh.sublayers, &self.mesh.nodes)?;
+            let k_max = self.settings.k_max;
+            // downward by half decades from k_max to where the sum has lost its digits, if anywhere
+            let mut lowest = f64::INFINITY;
+            for half_decade in 0..17 {
+                let k = k_max * 0.1f64.powf(0.5 * f64::from(half_decade));
+                let layers: Vec<_> = self.mesh.sublayers.iter().map(|s| s.in_plane(k)).collect();
+                let direct = chain::displacements(&layers, None, 0)[0][(1, 1)];
+                // written so that NaN is refused
+                if !((modes.at_surface(k) - direct).norm() <= self.settings.accuracy * direct.norm()) {
+                    break;
+                }
+                lowest = if half_decade == 16 { 0.0 } else { k };
+            }
+            (lowest <= k_max).then_some(InPlane { modes, band: (lowest, k_max) })
+        });
+        found.as_ref()
+    }
+
+    fn anti_plane_modes(&self) -> Option<&Modes> {
+        let found = self.anti_plane.get_or_init(|| {
+            if self.mesh.sublayers.is_empty() {
+                return None;
+            }
+            Modes::anti_plane(&self.mesh.sublayers, &self.mesh.nodes)
+        });
+        found.as_ref()
+    }
+
+    /// Without modes: sublayers cut for this very k, on the exact half-space. In-plane and anti-plane displacements
+    /// [receiver] for loads at depth number `source`.
+    fn direct(&self, k: f64, source: usize) -> (Vec<nalgebra::Matrix2<Complex64>>, Vec<Complex64>) {
+        let to = self.settings.resolution(self.omega, k.max(1e-9));
+        let mesh = Mesh::new(&self.profile, self.omega, &self.depths, &to, k);
+        let base = mesh.half_space.map(|m| Wave::new(&m, self.omega));
+        let layers: Vec<_> = mesh.sublayers.iter().map(|s| s.in_plane(k)).collect();
+        let half_space = base.map(|w| LayerStiffness::<2>::half_space(&w, k));
+        let in_plane = chain::displacements(&layers, half_space, mesh.interfaces[source]);
+        let layers: Vec<_> = mesh.sublayers.iter().map(|s| s.anti_plane(k)).collect();
+        let half_space = base.map(|w| LayerStiffness::<1>::half_space(&w, k));
+        let anti_plane = chain::displacements(&layers, half_space, mesh.interfaces[source]);
+        (
+            mesh.interfaces.iter().map(|&i| in_plane[i]).collect(),
+            mesh.interfaces.iter().map(|&i| anti_plane[i][0]).collect(),
+        )
+    }
+
+    /// The modes, where they answer at `k`.
+    fn modes_at(&self, k: f64) -> Option<&Modes> {
+        self.modes().filter(|m| m.band.0 <= k && k <= m.band.1).map(|m| &m.modes)
+    }
+
+    /// In-plane (u, w) per traction and anti-plane displacements at every depth, loads at depth number `source`.
+    fn displacements(&self, k: f64, source: usize) -> (Vec<nalgebra::Matrix2<Complex64>>, Vec<Complex64>) {
+        let (Some(modes), Some(anti_plane)) = (self.modes_at(k), self.anti_plane_modes()) else {
+            return self.direct(k, source);
+        };
+        let in_plane = (0..self.depths.len())
+            .map(|receiver| {
+                let (r, s) = (2 * receiver, 2 * source);
+                // u and k w on the left, f_u and k f_w on the right; w from f_u by reciprocity
+                nalgebra::Matrix2::new(
+                    modes.sum(r, s, k),
+                    k * modes.sum(r, s + 1, k),
+                    k * modes.sum(s, r + 1, k),
+                    modes.sum(r + 1, s + 1, k),
+                )
+            })
+            .collect();
+        (in_plane, (0..self.depths.len()).map(|receiver| anti_plane.sum(receiver, source, k)).collect())
+    }
+
+    fn signed(&self, z: Complex64) -> Complex64 {
+        if self.negative { z.conj() } else { z }
+    }
+}
+
+impl PreparedGround for ThinLayerAt {
+    fn surface(&self, k: f64) -> SurfaceCompliance {
+        let (in_plane, anti_plane) = self.displacements(k, 0);
+        surface_compliance(&in_plane[0], anti_plane[0], self.negative)
+    }
+
+    fn u_zz(&self, k: f64) -> Complex64 {
+        self.signed(match self.modes_at(k) {
+            Some(modes) => modes.at_surface(k),
+            None => self.direct(k, 0).0[0][(1, 1)],
+        })
+    }
+
+    fn at_depths(&self, k: f64, source: usize) -> Vec<Compliance> {
+        // the surface comes first
+        let (in_plane, anti_plane) = self.displacements(k, source + 1);
+        in_plane[1..]
+            .iter()
+            .zip(&anti_plane[1..])
+            .map(|(g, u_yy)| Compliance {
+                u_zz: self.signed(g[(1, 1)]),
+                u_xx: self.signed(g[(0, 0)]),
+                u_xz: I * self.signed(g[(0, 1)]),
+                u_zx: -I * self.signed(g[(1, 0)]),
+                u_yy: self.signed(*u_yy),
+            })
+            .collect()
+    }
+
+    fn outline(&self) -> &Outline {
+        &self.outline
+    }
+
+    /// In closed form where the modes answer at β.
+    fn strip(&self, beta: f64, strip: Strip, relative: f64) -> Estimate {
+        match self.modes_at(beta.abs()) {
+            Some(modes) => {
+                let value = self.signed(modes.strip(beta, strip));
+                let error = self.settings.accuracy * value.norm();
+                Estimate { value, error, count: modes.kappa.len(), converged: value.is_finite() }
+            }
+            None => super::strip::quadrature(&|k| self.u_zz(k), &self.outline, beta, strip, relative),
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! Modes of a stack of thin layers, and what they answer in closed form.
+//!
+//! (κ Ā + C̄) φ = 0, κ = k², with Ā = [A_x 0; Bᵀ A_z], C̄ = [C_x B; 0 C_z] for φ = (u, k w); (κ A_y + C_y) φ = 0 anti-plane.
+//! With V the right vectors, (κ Ā + C̄)⁻¹ = V (κ − κ_j)⁻¹ V⁻¹ Ā⁻¹: the rows of V⁻¹Ā⁻¹ are the left vectors, already
+//! normalised. Solving with V instead of scaling each pair keeps the sum right where modes nearly coincide, as P and S
+//! modes of a half-space do towards ω = 0.
+
+use super::super::strip::{Compatibility, Strip};
+use super::element::Sublayer;
+use crate::math::complex::{one_minus_exp_over, sqrt_decaying};
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+use num_complex::Complex64;
+
+/// κ_j and, for pairs of prepared interfaces, the residues of each compliance.
+#[derive(Clone, Debug)]
+pub(super) struct Modes {
+    pub kappa: Vec<Complex64>,
+    /// Right vectors at the prepared degrees of freedom, [freedom][mode].
+    right: Vec<Vec<Complex64>>,
+    /// Left vectors, [freedom][mode].
+    left: Vec<Vec<Complex64>>,
+    /// Residues of freedom 1 (w of the first interface) or 0 (anti-plane), kept for speed.
+    pub surface: Vec<Complex64>,
+    /// Largest ‖(κĀ + C̄)φ‖ relative to ‖κĀφ‖ + ‖C̄φ‖.
+    pub residual: f64,
+}
+
+/// Dense matrices of a stack, the base node left out.
+struct Stack {
+    a_x: Mat<Complex64>,
+    a_z: Mat<Complex64>,
+    b: Mat<Complex64>,
+    c_x: Mat<Complex64>,
+    c_z: Mat<Complex64>,
+}
+
+impl Stack {
+    fn new(sublayers: &[Sublayer]) -> Self {
+        let n: usize = sublayers.iter().map(|s| s.shape.nodes - 1).sum();
+        let zeros = || Mat::<Complex64>::zeros(n, n);
+        let mut stack = Self { a_x: zeros(), a_z: zeros(), b: zeros(), c_x: zeros(), c_z: zeros() };
+        let mut first = 0;
+        for sublayer in sublayers {
+            let nodes = sublayer.shape.nodes;
+            // the lowest node of the stack does not move
+            for i in (0..nodes).filter(|i| first + i < n) {
+                for j in (0..nodes).filter(|j| first + j < n) {
+                    let e = sublayer.entry(i, j);
+                    let at = (first + i, first + j);
+                    stack.a_x[at] += e.a_x;
+                    stack.a_z[at] += e.a_z;
+                    stack.b[at] += e.b;
+                    stack.c_x[at] += e.c_x;
+                    stack.c_z[at] += e.c_z;
+                }
+            }
+            first += nodes - 1;
+        }
+        stack
+    }
+}
+
+/// D such that row i and column i of D⁻¹MD are of one size (Parlett & Reinsch 1969).
+fn balance(matrix: &Mat<Complex64>) -> Vec<f64> {
+    let n = matrix.nrows();
+    let size = Mat::from_fn(n, n, |i, j| if i == j { 0.0 } else { matrix[(i, j)].norm() });
+    let mut scale = vec![1.0; n];
+    for _ in 0..12 {
+        for i in 0..n {
+            let row: f64 = (0..n).map(|j| size[(i, j)] * scale[j]).sum::<f64>() / scale[i];
+            let column: f64 = (0..n).map(|j| size[(j, i)] / scale[j]).sum::<f64>() * scale[i];
+            if row > 0.0 && column > 0.0 {
+                scale[i] *= (row / column).sqrt();
+            }
+        }
+    }
+    scale
+}
+
+/// Eigenvalues of `matrix`, right vectors at `rows`, V⁻¹ `loads`, and the residual; None if the eigenvalues do not settle.
+fn decompose(
+    matrix: &Mat<Complex64>,
+    loads: &Mat<Complex64>,
+    rows: &[usize],
+) -> Option<(Vec<Complex64>, Vec<Vec<Complex64>>, Vec<Vec<Complex64>>, f64)> {
+    let n = matrix.nrows();
+    let scale = balance(matrix);
+    let matrix = Mat::from_fn(n, n, |i, j| matrix[(i, j)] * (scale[j] / scale[i]));
+    let loads = Mat::from_fn(n, loads.ncols(), |i, c| loads[(i, c)] / scale[i]);
+    let eigen = matrix.eigen().ok()?;
+    let vectors = eigen.U();
+    let kappa: Vec<Complex64> = (0..n).map(|j| eigen.S().column_vector()[j]).collect();
+    let left = vectors.partial_piv_lu().solve(&loads);
+    let image = &matrix * vectors;
+    let residual = (0..n)
+        .map(|j| {
+            let (mut gap, mut size) = (0.0f64, 0.0f64);
+            for i in 0..n {
+                let right = kappa[j] * vectors[(i, j)];
+                gap = gap.max((image[(i, j)] - right).norm());
+                size = size.max(image[(i, j)].norm() + right.norm());
+            }
+            gap / size
+        })
+        .fold(0.0, f64::max);
+    let right = rows.iter().map(|&i| (0..n).map(|j| scale[i] * vectors[(i, j)]).collect()).collect();
+    let left = (0..loads.ncols()).map(|c| (0..n).map(|j| left[(j, c)]).collect()).collect();
+    Some((kappa, right, left, residual))
+}
+
+impl Modes {
+    /// In-plane modes for loads and receivers at the nodes `interfaces`; freedom 2i is u, 2i + 1 is w of the i-th.
+    pub fn in_plane(sublayers: &[Sublayer], interfaces: &[usize]) -> Option<Self> {
+        let Stack { a_x, a_z, b, c_x, c_z } = Stack::new(sublayers);
+        let n = a_x.nrows();
+        let (lu_x, lu_z) = (a_x.partial_piv_lu(), a_z.partial_piv_lu());
+        // −Ā⁻¹C̄, Ā⁻¹ = [A_x⁻¹ 0; −A_z⁻¹BᵀA_x⁻¹ A_z⁻¹], and Ā⁻¹ times unit loads
+        let x_c = lu_x.solve(&c_x);
+        let x_b = lu_x.solve(&b);
+        let z_c = lu_z.solve(b.transpose() * &x_c);
+        let z_b = lu_z.solve(b.transpose() * &x_b - &c_z);
+        // u and k w node by node, so that the matrix is graded from thin sublayers to thick ones and small κ keep their digits
+        let matrix = Mat::from_fn(2 * n, 2 * n, |i, j| {
+            let at = (i / 2, j / 2);
+            match (i % 2, j % 2) {
+                (0, 0) => -x_c[at],
+                (0, _) => -x_b[at],
+                (_, 0) => z_c[at],
+                _ => z_b[at],
+            }
+        });
+        let rows: Vec<usize> = interfaces.iter().flat_map(|&i| [2 * i, 2 * i + 1]).collect();
+        let unit = Mat::from_fn(n, interfaces.len(), |i, c| {
+            if i == interfaces[c] { Complex64::ONE } else { Complex64::ZERO }
+        });
+        let x_unit = lu_x.solve(&unit);
+        let z_x_unit = lu_z.solve(b.transpose() * &x_unit);
+        let z_unit = lu_z.solve(&unit);
+        let loads = Mat::from_fn(2 * n, 2 * interfaces.len(), |i, c| {
+            let at = (i / 2, c / 2);
+            match (i % 2, c % 2) {
+                (0, 0) => x_unit[at],
+                (_, 0) => -z_x_unit[at],
+                (0, _) => Complex64::ZERO,
+                _ => z_unit[at],
+            }
+        });
+        let (kappa, right, left, residual) = decompose(&matrix, &loads, &rows)?;
+        let surface = right[1].iter().zip(&left[1]).map(|(r, l)| r * l).collect();
+        Some(Self { kappa, right, left, surface, residual })
+    }
+
+    /// Anti-plane modes; freedom i is u_y of the i-th interface.
+    pub fn anti_plane(sublayers: &[Sublayer], interfaces: &[usize]) -> Option<Self> {
+        // A_y = A_z, C_y = C_x
+        let Stack { a_z, c_x, .. } = Stack::new(sublayers);
+        let n = a_z.nrows();
+        let lu = a_z.partial_piv_lu();
+        let matrix = -lu.solve(&c_x);
+        let unit = Mat::from_fn(n, interfaces.len(), |i, c| {
+            if i == interfaces[c] { Complex64::ONE } else { Complex64::ZERO }
+        });
+        let (kappa, right, left, residual) = decompose(&matrix, &lu.solve(&unit), interfaces)?;
+        let surface = right[0].iter().zip(&left[0]).map(|(r, l)| r * l).collect();
+        Some(Self { kappa, right, left, surface, residual })
+    }
+
+    /// Σ φ_a,j ψ_j,b/(k² − κ_j)
+    pub fn sum(&self, a: usize, b: usize, k: f64) -> Complex64 {
+        let kappa = Complex64::from(k * k);
+        let terms = self.right[a].iter().zip(&self.left[b]).zip(&self.kappa);
+        terms.map(|((r, l), pole)| r * l / (kappa - pole)).sum()
+    }
+
+    /// G of the surface freedom: Σ r_j/(k² − κ_j).
+    #[inline]
+    pub fn at_surface(&self, k: f64) -> Complex64 {
+        let kappa = Complex64::from(k * k);
+        self.surface.iter().zip(&self.kappa).map(|(r, pole)| r / (kappa - pole)).sum()
+    }
+
+    /// Σ r_j f(a_j)/(2a_j), a_j = √(β² − κ_j), Re a_j > 0: what (1/2π)∫ G(√(β² + y²)) K(y) dy becomes for a kernel whose
+    /// integral over e^{−a|y|} is f.
+    fn integral(&self, beta: f64, f: impl Fn(Complex64) -> Complex64) -> Complex64 {
+        let beta2 = Complex64::from(beta * beta);
+        self.surface
+            .iter()
+            .zip(&self.kappa)
+            .map(|(r, pole)| {
+                let a = sqrt_decaying(beta2 - pole);
+                r * f(a) / (2.0 * a)
+            })
+            .sum()
+    }
+
+    /// 1/k_eq(β) [m²/N] of a strip.
+    ///
+    /// Centre: Σ r_j (1 − e^{−a b})/(2a² b). Mean: Σ r_j/(2a) · [1/(ab) − (1 − e^{−2ab})/(2a²b²)].
+    pub fn strip(&self, beta: f64, strip: Strip) -> Complex64 {
+        let b = strip.half_width;
+        match strip.compatibility {
+            Compatibility::Centre => self.integral(beta, |a| one_minus_exp_over(a * b, (-a * b).exp())),
+            Compatibility::Mean => self.integral(beta, |a| {
+                let z = 2.0 * a * b;
+                if z.norm_sqr() < 1e-4 {
+                    // 2(1 − (1 − e^{−z})/z)/z
+                    1.0 - z / 3.0 * (1.0 - z / 4.0 * (1.0 - z / 5.0 * (1.0 - z / 6.0)))
+                } else {
+                    2.0 * (1.0 - one_minus_exp_over(z, (-z).exp())) / z
+                }
+            }),
+        }
+    }
+
+    /// Displacement [m²/N] at distance `y` from the centre line of a strip of half-width `b`; a line where b = 0.
+    ///
+    /// y ≥ b: Σ r_j e^{−ay} sinh(ab)/(2a · ab); y < b: Σ r_j (1 − e^{−ab} cosh(ay))/(2a · ab); line: Σ r_j e^{−ay}/(2a).
+    pub fn receiver(&self, beta: f64, b: f64, y: f64) -> Complex64 {
+        let y = y.abs();
+        self.integral(beta, |a| {
+            let e = (-a * y).exp();
+            if b == 0.0 {
+                return e;
+            }
+            if y >= b {
+                // sinh(ab) e^{−ay}/(ab) = e^{−a(y−b)} (1 − e^{−2ab})/(2ab)
+                let z = 2.0 * a * b;
+                (-a * (y - b)).exp() * one_minus_exp_over(z, (-z).exp())
+            } else {
+                // ½ ∫ over both sides of y
+                let part = |c: f64| c / b * one_minus_exp_over(a * c, (-a * c).exp());
+                0.5 * (part(b + y) + part(b - y))
+            }
+        })
+    }
+}

@@ -1,0 +1,101 @@
+//! Thin layers: accuracy, order of convergence, modes against exact methods.
+
+use crate::common::{named, rows};
+use groundwave::soil::thin_layer::{BelowLayers, Element};
+use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Strip, ThinLayer};
+use num_complex::Complex64;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+#[test]
+fn reference() {
+    let text = include_str!("../reference/surface_compliance.csv");
+    for below in [BelowLayers::Exact, BelowLayers::Matched] {
+        let solver = ThinLayer::new(Element::Cubic, 1e-6, None, below).unwrap();
+        let mut groups: BTreeMap<(String, u64), (f64, f64, usize)> = BTreeMap::new();
+        for row in rows(text) {
+            let number = |i: usize| row[i].parse::<f64>().unwrap();
+            let (k, f) = (number(1), number(2));
+            let pair = |i: usize| Complex64::new(number(i), number(i + 1));
+            let expected = [pair(3), pair(5), pair(7), pair(9)];
+            let largest = expected.iter().map(|z| z.norm()).fold(0.0, f64::max);
+            let t = std::time::Instant::now();
+            let Ok(ground) = solver.prepare(&named(row[0]), TAU * f, &[]) else {
+                continue;
+            };
+            let g = ground.surface(k);
+            let got = [g.u_zz, g.u_xx, g.u_xz, g.u_yy];
+            let worst = got.iter().zip(expected).map(|(a, b)| (a - b).norm() / largest).fold(0.0, f64::max);
+            let entry = groups.entry((row[0].to_owned(), (1e4 * f) as u64)).or_default();
+            if worst > entry.0 {
+                entry.1 = k;
+                entry.2 = t.elapsed().as_millis() as usize;
+            }
+            entry.0 = entry.0.max(worst);
+        }
+        for (name, value) in groups {
+            println!("{below:?} {name:?}: {value:?}");
+        }
+    }
+}
+
+#[test]
+fn k_eq() {
+    let mut cache: BTreeMap<(String, u64), Box<dyn groundwave::soil::PreparedGround>> = BTreeMap::new();
+    let mut worst = 0.0f64;
+    for row in rows(include_str!("../reference/k_eq.csv")) {
+        let number = |i: usize| row[i].parse::<f64>().unwrap();
+        let strip = Strip {
+            half_width: number(1),
+            compatibility: if row[2] == "centre" { Compatibility::Centre } else { Compatibility::Mean },
+        };
+        let (beta, omega) = (number(3), number(4));
+        let ground = cache.entry((row[0].to_owned(), omega.to_bits())).or_insert_with(|| {
+            ThinLayer::default().resolving(300.0 / 1.25, 1e-6).prepare(&named(row[0]), omega, &[]).unwrap()
+        });
+        let estimate = ground.strip(beta, strip, 1e-6);
+        let expected = Complex64::new(number(5), number(6));
+        let error = (1.0 / estimate.value - expected).norm() / expected.norm();
+        if error > 1e-6 {
+            println!("{row:?} {error:e} {}", estimate.count);
+        }
+        worst = worst.max(error);
+    }
+    println!("worst {worst:e}");
+}
+
+/// Error of G_zz at eight wavenumbers, relative to the largest, on the exact half-space.
+fn error(name: &str, element: Element, n: f64, omega: f64) -> f64 {
+    let profile = named(name);
+    let solver = ThinLayer::new(element, 0.1, Some(n), BelowLayers::Exact).unwrap();
+    let (thin, exact) = (
+        solver.prepare(&profile, omega, &[]).unwrap(),
+        DirectStiffness.prepare(&profile, omega, &[]).unwrap(),
+    );
+    let (mut gap, mut largest) = (0.0f64, 0.0f64);
+    for k in [0.1, 0.3, 0.7, 1.3, 2.0, 4.0] {
+        let g = exact.u_zz(k);
+        gap = gap.max((thin.u_zz(k) - g).norm());
+        largest = largest.max(g.norm());
+    }
+    gap / largest
+}
+
+#[test]
+fn order_of_convergence() {
+    for name in ["paper_layered", "mezher2016_profile3", "stiff_over_soft", "nearly_incompressible"] {
+        for (element, coarse, order) in
+            [(Element::Linear, 120.0, 2.0), (Element::Quadratic, 16.0, 4.0), (Element::Cubic, 8.0, 6.0)]
+        {
+            for f in [5.0, 30.0, 80.0] {
+                let errors: Vec<f64> =
+                    [1.0, 2.0, 4.0].iter().map(|m| error(name, element, coarse * m, TAU * f)).collect();
+                let measured = (errors[0] / errors[1]).log2();
+                println!(
+                    "{name} {element:?} {f}: {errors:?} order {measured:.2} {:.2} {order}",
+                    (errors[1] / errors[2]).log2()
+                );
+            }
+        }
+    }
+}
