@@ -2,40 +2,44 @@
 
 use crate::common::{named, rows};
 use groundwave::soil::thin_layer::{BelowLayers, Element};
-use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Strip, ThinLayer};
+use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, PreparedGround, Strip, ThinLayer};
 use num_complex::Complex64;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 #[test]
 fn reference() {
+    // worst error of the four components over all wavenumbers of a profile and frequency, relative to the largest |G|
+    // of that wavenumber
     let text = include_str!("../reference/surface_compliance.csv");
-    for below in [BelowLayers::Exact, BelowLayers::Matched] {
+    for (below, tolerance) in [(BelowLayers::Exact, 1e-5), (BelowLayers::Matched, 1e-5)] {
         let solver = ThinLayer::new(Element::Cubic, 1e-6, None, below).unwrap();
-        let mut groups: BTreeMap<(String, u64), (f64, f64, usize)> = BTreeMap::new();
+        let mut prepared: BTreeMap<(String, u64), (Box<dyn PreparedGround>, f64, f64)> = BTreeMap::new();
         for row in rows(text) {
             let number = |i: usize| row[i].parse::<f64>().unwrap();
             let (k, f) = (number(1), number(2));
             let pair = |i: usize| Complex64::new(number(i), number(i + 1));
             let expected = [pair(3), pair(5), pair(7), pair(9)];
             let largest = expected.iter().map(|z| z.norm()).fold(0.0, f64::max);
-            let t = std::time::Instant::now();
-            let Ok(ground) = solver.prepare(&named(row[0]), TAU * f, &[]) else {
+            // 200 Hz in 11 m of soft clay takes an eigenproblem of 1500 unknowns and 6 s
+            if f > 100.0 && below == BelowLayers::Matched {
                 continue;
-            };
-            let g = ground.surface(k);
-            let got = [g.u_zz, g.u_xx, g.u_xz, g.u_yy];
-            let worst = got.iter().zip(expected).map(|(a, b)| (a - b).norm() / largest).fold(0.0, f64::max);
-            let entry = groups.entry((row[0].to_owned(), (1e4 * f) as u64)).or_default();
-            if worst > entry.0 {
-                entry.1 = k;
-                entry.2 = t.elapsed().as_millis() as usize;
             }
-            entry.0 = entry.0.max(worst);
+            let entry = prepared
+                .entry((row[0].to_owned(), (1e3 * f) as u64))
+                .or_insert_with(|| (solver.prepare(&named(row[0]), TAU * f, &[]).unwrap(), 0.0, 0.0));
+            let g = entry.0.surface(k);
+            let got = [g.u_zz, g.u_xx, g.u_xz, g.u_yy];
+            let error = got.iter().zip(expected).map(|(a, b)| (a - b).norm() / largest).fold(0.0, f64::max);
+            if error > entry.1 {
+                (entry.1, entry.2) = (error, k);
+            }
         }
-        for (name, value) in groups {
-            println!("{below:?} {name:?}: {value:?}");
+        for ((name, f), (_, worst, k)) in &prepared {
+            println!("{below:?} {name} {} Hz: {worst:.1e} at k = {k}", *f as f64 / 1e3);
         }
+        let worst = prepared.values().map(|v| v.1).fold(0.0, f64::max);
+        assert!(worst < tolerance, "{worst:e}");
     }
 }
 

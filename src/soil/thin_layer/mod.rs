@@ -213,7 +213,7 @@ impl ThinLayerAt {
             if self.mesh.sublayers.is_empty() {
                 return None;
             }
-            let modes = Modes::in_plane(&self.mesh.sublayers, &self.mesh.nodes)?;
+            let modes = Modes::in_plane(&self.mesh.sublayers, &self.mesh.nodes, self.middle())?;
             let k_max = self.settings.k_max;
             // downward by half decades from k_max to where the sum has lost its digits, if anywhere
             let mut lowest = f64::INFINITY;
@@ -232,12 +232,18 @@ impl ThinLayerAt {
         found.as_ref()
     }
 
+    /// κ₀ in the middle of the wavenumbers that matter, above those of every wave.
+    fn middle(&self) -> f64 {
+        let k_s = self.profile.materials().map(|m| self.omega / m.rayleigh_speed()).fold(0.0, f64::max);
+        (self.settings.k_max * k_s.max(1e-6 * self.settings.k_max)).max(4.0 * k_s * k_s)
+    }
+
     fn anti_plane_modes(&self) -> Option<&Modes> {
         let found = self.anti_plane.get_or_init(|| {
             if self.mesh.sublayers.is_empty() {
                 return None;
             }
-            Modes::anti_plane(&self.mesh.sublayers, &self.mesh.nodes)
+            Modes::anti_plane(&self.mesh.sublayers, &self.mesh.nodes, self.middle())
         });
         found.as_ref()
     }

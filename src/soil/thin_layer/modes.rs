@@ -1,9 +1,15 @@
 //! Modes of a stack of thin layers, and what they answer in closed form.
 //!
 //! (κ Ā + C̄) φ = 0, κ = k², with Ā = [A_x 0; Bᵀ A_z], C̄ = [C_x B; 0 C_z] for φ = (u, k w); (κ A_y + C_y) φ = 0 anti-plane.
-//! With V the right vectors, (κ Ā + C̄)⁻¹ = V (κ − κ_j)⁻¹ V⁻¹ Ā⁻¹: the rows of V⁻¹Ā⁻¹ are the left vectors, already
-//! normalised. Solving with V instead of scaling each pair keeps the sum right where modes nearly coincide, as P and S
-//! modes of a half-space do towards ω = 0.
+//! Wavenumbers span many decades, so that the smallest κ_j would drown in the rounding of the largest. Seen from κ₀ in
+//! their middle, with L = κ₀ Ā + C̄, both ends keep their digits:
+//!
+//! ```text
+//! L⁻¹ Ā φ_j = τ_j φ_j,  κ_j = κ₀ − 1/τ_j,      (κ Ā + C̄)⁻¹ = V diag( 1/(τ_j (κ − κ_j)) ) V⁻¹ L⁻¹
+//! ```
+//!
+//! The rows of diag(1/τ_j) V⁻¹ L⁻¹ are the left vectors, already normalised. Solving with V instead of scaling each
+//! pair keeps the sum right where modes nearly coincide, as P and S modes of a half-space do towards ω = 0.
 
 use super::super::strip::{Compatibility, Strip};
 use super::element::Sublayer;
@@ -22,8 +28,6 @@ pub(super) struct Modes {
     left: Vec<Vec<Complex64>>,
     /// Residues of freedom 1 (w of the first interface) or 0 (anti-plane), kept for speed.
     pub surface: Vec<Complex64>,
-    /// Largest ‖(κĀ + C̄)φ‖ relative to ‖κĀφ‖ + ‖C̄φ‖.
-    pub residual: f64,
 }
 
 /// Dense matrices of a stack, the base node left out.
@@ -61,109 +65,60 @@ impl Stack {
     }
 }
 
-/// D such that row i and column i of D⁻¹MD are of one size (Parlett & Reinsch 1969).
-fn balance(matrix: &Mat<Complex64>) -> Vec<f64> {
-    let n = matrix.nrows();
-    let size = Mat::from_fn(n, n, |i, j| if i == j { 0.0 } else { matrix[(i, j)].norm() });
-    let mut scale = vec![1.0; n];
-    for _ in 0..12 {
-        for i in 0..n {
-            let row: f64 = (0..n).map(|j| size[(i, j)] * scale[j]).sum::<f64>() / scale[i];
-            let column: f64 = (0..n).map(|j| size[(j, i)] / scale[j]).sum::<f64>() * scale[i];
-            if row > 0.0 && column > 0.0 {
-                scale[i] *= (row / column).sqrt();
-            }
-        }
-    }
-    scale
-}
-
-/// Eigenvalues of `matrix`, right vectors at `rows`, V⁻¹ `loads`, and the residual; None if the eigenvalues do not settle.
-fn decompose(
-    matrix: &Mat<Complex64>,
-    loads: &Mat<Complex64>,
-    rows: &[usize],
-) -> Option<(Vec<Complex64>, Vec<Vec<Complex64>>, Vec<Vec<Complex64>>, f64)> {
-    let n = matrix.nrows();
-    let scale = balance(matrix);
-    let matrix = Mat::from_fn(n, n, |i, j| matrix[(i, j)] * (scale[j] / scale[i]));
-    let loads = Mat::from_fn(n, loads.ncols(), |i, c| loads[(i, c)] / scale[i]);
+/// Modes of (κ `a` + `c`) φ = 0 seen from `kappa0`, for the degrees of freedom `wanted`; None if they do not settle.
+fn decompose(a: &Mat<Complex64>, c: &Mat<Complex64>, kappa0: f64, wanted: &[usize]) -> Option<Modes> {
+    let n = a.nrows();
+    let l = Mat::from_fn(n, n, |i, j| kappa0 * a[(i, j)] + c[(i, j)]).partial_piv_lu();
+    let matrix = l.solve(a);
+    let unit =
+        Mat::from_fn(n, wanted.len(), |i, w| if i == wanted[w] { Complex64::ONE } else { Complex64::ZERO });
+    let loads = l.solve(&unit);
     let eigen = matrix.eigen().ok()?;
     let vectors = eigen.U();
-    let kappa: Vec<Complex64> = (0..n).map(|j| eigen.S().column_vector()[j]).collect();
-    let left = vectors.partial_piv_lu().solve(&loads);
-    let image = &matrix * vectors;
-    let residual = (0..n)
-        .map(|j| {
-            let (mut gap, mut size) = (0.0f64, 0.0f64);
-            for i in 0..n {
-                let right = kappa[j] * vectors[(i, j)];
-                gap = gap.max((image[(i, j)] - right).norm());
-                size = size.max(image[(i, j)].norm() + right.norm());
-            }
-            gap / size
-        })
-        .fold(0.0, f64::max);
-    let right = rows.iter().map(|&i| (0..n).map(|j| scale[i] * vectors[(i, j)]).collect()).collect();
-    let left = (0..loads.ncols()).map(|c| (0..n).map(|j| left[(j, c)]).collect()).collect();
-    Some((kappa, right, left, residual))
+    let tau: Vec<Complex64> = (0..n).map(|j| eigen.S().column_vector()[j]).collect();
+    let amplitudes = vectors.partial_piv_lu().solve(&loads);
+    let right: Vec<Vec<Complex64>> =
+        wanted.iter().map(|&i| (0..n).map(|j| vectors[(i, j)]).collect()).collect();
+    let left: Vec<Vec<Complex64>> =
+        (0..wanted.len()).map(|w| (0..n).map(|j| amplitudes[(j, w)] / tau[j]).collect()).collect();
+    let kappa = tau.iter().map(|tau| kappa0 - tau.inv()).collect();
+    Some(Modes { kappa, right, left, surface: Vec::new() })
 }
 
 impl Modes {
     /// In-plane modes for loads and receivers at the nodes `interfaces`; freedom 2i is u, 2i + 1 is w of the i-th.
-    pub fn in_plane(sublayers: &[Sublayer], interfaces: &[usize]) -> Option<Self> {
+    pub fn in_plane(sublayers: &[Sublayer], interfaces: &[usize], kappa0: f64) -> Option<Self> {
         let Stack { a_x, a_z, b, c_x, c_z } = Stack::new(sublayers);
         let n = a_x.nrows();
-        let (lu_x, lu_z) = (a_x.partial_piv_lu(), a_z.partial_piv_lu());
-        // −Ā⁻¹C̄, Ā⁻¹ = [A_x⁻¹ 0; −A_z⁻¹BᵀA_x⁻¹ A_z⁻¹], and Ā⁻¹ times unit loads
-        let x_c = lu_x.solve(&c_x);
-        let x_b = lu_x.solve(&b);
-        let z_c = lu_z.solve(b.transpose() * &x_c);
-        let z_b = lu_z.solve(b.transpose() * &x_b - &c_z);
-        // u and k w node by node, so that the matrix is graded from thin sublayers to thick ones and small κ keep their digits
-        let matrix = Mat::from_fn(2 * n, 2 * n, |i, j| {
-            let at = (i / 2, j / 2);
-            match (i % 2, j % 2) {
-                (0, 0) => -x_c[at],
-                (0, _) => -x_b[at],
-                (_, 0) => z_c[at],
-                _ => z_b[at],
-            }
+        // u and k w node by node
+        let zero = Complex64::ZERO;
+        let a = Mat::from_fn(2 * n, 2 * n, |i, j| match (i % 2, j % 2) {
+            (0, 0) => a_x[(i / 2, j / 2)],
+            (0, _) => zero,
+            (_, 0) => b[(j / 2, i / 2)],
+            _ => a_z[(i / 2, j / 2)],
         });
-        let rows: Vec<usize> = interfaces.iter().flat_map(|&i| [2 * i, 2 * i + 1]).collect();
-        let unit = Mat::from_fn(n, interfaces.len(), |i, c| {
-            if i == interfaces[c] { Complex64::ONE } else { Complex64::ZERO }
+        let c = Mat::from_fn(2 * n, 2 * n, |i, j| match (i % 2, j % 2) {
+            (0, 0) => c_x[(i / 2, j / 2)],
+            (0, _) => b[(i / 2, j / 2)],
+            (_, 0) => zero,
+            _ => c_z[(i / 2, j / 2)],
         });
-        let x_unit = lu_x.solve(&unit);
-        let z_x_unit = lu_z.solve(b.transpose() * &x_unit);
-        let z_unit = lu_z.solve(&unit);
-        let loads = Mat::from_fn(2 * n, 2 * interfaces.len(), |i, c| {
-            let at = (i / 2, c / 2);
-            match (i % 2, c % 2) {
-                (0, 0) => x_unit[at],
-                (_, 0) => -z_x_unit[at],
-                (0, _) => Complex64::ZERO,
-                _ => z_unit[at],
-            }
-        });
-        let (kappa, right, left, residual) = decompose(&matrix, &loads, &rows)?;
-        let surface = right[1].iter().zip(&left[1]).map(|(r, l)| r * l).collect();
-        Some(Self { kappa, right, left, surface, residual })
+        let wanted: Vec<usize> = interfaces.iter().flat_map(|&i| [2 * i, 2 * i + 1]).collect();
+        decompose(&a, &c, kappa0, &wanted).map(|modes| modes.with_surface(1))
     }
 
     /// Anti-plane modes; freedom i is u_y of the i-th interface.
-    pub fn anti_plane(sublayers: &[Sublayer], interfaces: &[usize]) -> Option<Self> {
+    pub fn anti_plane(sublayers: &[Sublayer], interfaces: &[usize], kappa0: f64) -> Option<Self> {
         // A_y = A_z, C_y = C_x
         let Stack { a_z, c_x, .. } = Stack::new(sublayers);
-        let n = a_z.nrows();
-        let lu = a_z.partial_piv_lu();
-        let matrix = -lu.solve(&c_x);
-        let unit = Mat::from_fn(n, interfaces.len(), |i, c| {
-            if i == interfaces[c] { Complex64::ONE } else { Complex64::ZERO }
-        });
-        let (kappa, right, left, residual) = decompose(&matrix, &lu.solve(&unit), interfaces)?;
-        let surface = right[0].iter().zip(&left[0]).map(|(r, l)| r * l).collect();
-        Some(Self { kappa, right, left, surface, residual })
+        decompose(&a_z, &c_x, kappa0, interfaces).map(|modes| modes.with_surface(0))
+    }
+
+    /// Keeps the residues of `freedom` under its own load.
+    fn with_surface(mut self, freedom: usize) -> Self {
+        self.surface = self.right[freedom].iter().zip(&self.left[freedom]).map(|(r, l)| r * l).collect();
+        self
     }
 
     /// Σ φ_a,j ψ_j,b/(k² − κ_j)
