@@ -74,6 +74,29 @@ pub trait PreparedGround: Send + Sync {
     fn strip(&self, beta: f64, strip: Strip, relative: f64) -> Estimate {
         strip::quadrature(&|k| self.u_zz(k), self.outline(), beta, strip, relative)
     }
+
+    /// Displacement [m²/N] at distance `y` [m] from the centre line of a strip of `half_width` [m] under a unit force per
+    /// metre; a line load where `half_width` is zero. By quadrature unless the solver knows better.
+    fn receiver(&self, beta: f64, half_width: f64, y: f64, relative: f64) -> Estimate {
+        strip::receiver_quadrature(&|k| self.u_zz(k), self.outline(), beta, half_width, y, relative)
+    }
+
+    /// Wave modes: wavenumbers √κ_j and residues of G_zz = Σ r_j/(k² − κ_j), for solvers that have them.
+    ///
+    /// # Errors
+    /// `NoModes`, naming a solver that has.
+    fn modes(&self) -> Result<Vec<Pole>, SoilError> {
+        Err(SoilError::NoModes)
+    }
+}
+
+/// One term r/(k² − κ) of the vertical compliance at the surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pole {
+    /// κ = k² of the mode [rad²/m²].
+    pub kappa: Complex64,
+    /// r [m/Pa rad²/m²]
+    pub residue: Complex64,
 }
 
 /// A solver by name, as a case file asks for it.
@@ -191,6 +214,11 @@ pub enum SoilError {
         /// Largest one accepted.
         allowed: f64,
     },
+    /// Modes wanted of a solver that has none.
+    #[error(
+        "this solver has no modes: use thin-layer with half_space = \"matched\", at a frequency where its modes settle"
+    )]
+    NoModes,
     /// An accuracy thin layers are not made for.
     #[error("the accuracy of the thin-layer method is {value}: it must lie between 1e-9 and 0.1")]
     Accuracy {

@@ -108,6 +108,28 @@ fn tail_integrals(beta_c: f64, strip: Strip) -> (f64, f64) {
     }
 }
 
+/// The same integrals with C = sinc(q b) cos(q y): displacement at `y` under a strip, or under a line where b = 0 < y.
+///
+/// The means of K₀(β_c x)/π and (x/β_c) K₁(β_c x)/π over |y − b| … y + b.
+fn receiver_tail_integrals(beta_c: f64, b: f64, y: f64) -> (f64, f64) {
+    if b == 0.0 {
+        let m = modified_bessel(beta_c * y);
+        return (m.k0 / PI, y / beta_c * m.k1 / PI);
+    }
+    // odd primitives of both from 0
+    let primitives = |x: f64| {
+        if x == 0.0 {
+            return (0.0, 0.0);
+        }
+        let z = beta_c * x.abs();
+        let m = modified_bessel(z);
+        let sign = x.signum() / beta_c;
+        (sign * m.integral_k0, sign * (m.integral_k0 - z * m.k0) / (beta_c * beta_c))
+    };
+    let (upper, lower) = (primitives(y + b), primitives(y - b));
+    ((upper.0 - lower.0) / (2.0 * PI * b), (upper.1 - lower.1) / (2.0 * PI * b))
+}
+
 /// Panel ends for ∫₀^top G(√(β² + y²)) dy: where waves and layers change G, doubling in between.
 fn breakpoints(outline: &Outline, beta: f64, top: f64) -> Vec<f64> {
     let mut points: Vec<f64> = outline
@@ -131,6 +153,20 @@ fn breakpoints(outline: &Outline, beta: f64, top: f64) -> Vec<f64> {
     points
 }
 
+/// What of C(q) the quadrature must know.
+struct Kernel<'a> {
+    /// C(q)
+    value: &'a dyn Fn(f64) -> f64,
+    /// Bound of |C| for large q.
+    envelope: &'a dyn Fn(f64) -> f64,
+    /// Shortest period of C [rad/m].
+    period: f64,
+    /// κ₀ of the tail [rad/m].
+    kappa0: f64,
+    /// Integrals of the tail's two terms, given β_c.
+    tail: &'a dyn Fn(f64) -> (f64, f64),
+}
+
 /// 1/k_eq(β, ω) [m²/N] for ground whose G_zz is `u_zz`, to `relative` of its modulus.
 ///
 /// Arguments: `beta` [rad/m], any sign; not zero where ω = 0 on a half-space (there the value is infinite).
@@ -144,9 +180,53 @@ pub fn quadrature(
     strip: Strip,
     relative: f64,
 ) -> Estimate {
-    let beta = beta.abs();
     let b = strip.half_width;
-    let kappa0 = 1.0 / b;
+    let kernel = Kernel {
+        value: &|q| strip.kernel(q),
+        envelope: &|q| match strip.compatibility {
+            Compatibility::Centre => 1.0 / (q * b).max(1.0),
+            Compatibility::Mean => 1.0 / (q * b).max(1.0).powi(2),
+        },
+        period: 2.0 * PI / b,
+        kappa0: 1.0 / b,
+        tail: &|beta_c| tail_integrals(beta_c, strip),
+    };
+    integral(u_zz, outline, beta, &kernel, relative)
+}
+
+/// Displacement [m²/N] of the surface at distance `y` [m] from the centre line of a strip of half-width `half_width` [m]
+/// under a unit force per metre e^{i(ωt + βx)}, spread evenly over the strip; a line load where it is zero (then y ≠ 0).
+///
+/// (1/π) ∫₀^∞ G_zz sinc(q b) cos(q y) dq to `relative` of its modulus; else as `quadrature`.
+pub fn receiver_quadrature(
+    u_zz: &dyn Fn(f64) -> Complex64,
+    outline: &Outline,
+    beta: f64,
+    half_width: f64,
+    y: f64,
+    relative: f64,
+) -> Estimate {
+    let (b, y) = (half_width, y.abs());
+    let kernel = Kernel {
+        value: &|q| sinc(q * b) * (q * y).cos(),
+        envelope: &|q| 1.0 / (q * b).max(1.0),
+        period: 2.0 * PI / (b + y),
+        kappa0: if b > 0.0 { 1.0 / b } else { 1.0 / y },
+        tail: &|beta_c| receiver_tail_integrals(beta_c, b, y),
+    };
+    integral(u_zz, outline, beta, &kernel, relative)
+}
+
+/// (1/π) ∫₀^∞ G(√(β² + q²)) C(q) dq
+fn integral(
+    u_zz: &dyn Fn(f64) -> Complex64,
+    outline: &Outline,
+    beta: f64,
+    kernel: &Kernel,
+    relative: f64,
+) -> Estimate {
+    let beta = beta.abs();
+    let kappa0 = kernel.kappa0;
     let (a, c) = outline.tail;
     // A/k + C/k³ = A/κ + (C + A κ₀²/2)/κ³ + O(k⁻⁵), κ² = k² + κ₀²
     let third = c + 0.5 * a * kappa0 * kappa0;
@@ -156,9 +236,9 @@ pub fn quadrature(
     };
     let mut integrand = |y: f64| {
         let k = (beta * beta + y * y).sqrt();
-        (u_zz(k) - tail(k)) * strip.kernel(y)
+        (u_zz(k) - tail(k)) * (kernel.value)(y)
     };
-    let (first_integral, third_integral) = tail_integrals((beta * beta + kappa0 * kappa0).sqrt(), strip);
+    let (first_integral, third_integral) = (kernel.tail)((beta * beta + kappa0 * kappa0).sqrt());
     let known = (a * first_integral + third * third_integral) * PI;
 
     let highest = outline.wavenumbers.last().copied().unwrap_or(0.0);
@@ -168,7 +248,7 @@ pub fn quadrature(
         top = top.max(2.0 / thickness);
     }
     // whole periods of the kernel; beyond two thousand of them the integral gives up and says so
-    let period = 2.0 * PI / b;
+    let period = kernel.period;
     top = top.min((2.0 * highest).max(2.0 * beta).max(2000.0 * period)).min(4000.0 * period);
     let mut points = breakpoints(outline, beta, top);
     // no more than a period and a half of the kernel in a panel
@@ -190,10 +270,7 @@ pub fn quadrature(
     let mut cut;
     loop {
         loop {
-            let envelope = match strip.compatibility {
-                Compatibility::Centre => 1.0 / (top * b).max(1.0),
-                Compatibility::Mean => 1.0 / (top * b).max(1.0).powi(2),
-            };
+            let envelope = (kernel.envelope)(top);
             let k = (beta * beta + top * top).sqrt();
             cut = (u_zz(k) - tail(k)).norm() * envelope * top / 5.0;
             let goal = 0.3 * relative * (integral.value() + known).norm();

@@ -103,3 +103,48 @@ fn order_of_convergence() {
         }
     }
 }
+
+/// Line, inside the strip, at its edge and far away: closed forms against quadrature of the exact compliance.
+#[test]
+fn receivers() {
+    let mut worst = 0.0f64;
+    for name in ["paper_layered", "paper_half_space"] {
+        let profile = named(name);
+        for (beta, omega) in [(0.2, -20.0), (0.05, 30.0), (0.6, 75.0), (0.3, 188.0)] {
+            let exact = DirectStiffness.prepare(&profile, omega, &[]).unwrap();
+            let thin = ThinLayer::default().resolving(240.0, 1e-6).prepare(&profile, omega, &[]).unwrap();
+            for (b, y) in [(1.25, 0.0), (1.25, 0.7), (1.25, 1.25), (1.25, 5.0), (1.25, 20.0), (0.0, 3.0)] {
+                let (a, e) = (thin.receiver(beta, b, y, 1e-9), exact.receiver(beta, b, y, 1e-9));
+                let error = (a.value - e.value).norm() / e.value.norm();
+                println!(
+                    "{name} {beta} {omega} {b} {y}: {error:.1e} {} {} {}",
+                    e.count, e.converged, a.count
+                );
+                worst = worst.max(error);
+            }
+            // the centre line of a strip is a receiver
+            let strip = Strip { half_width: 1.25, compatibility: Compatibility::Centre };
+            let centre = exact.strip(beta, strip, 1e-9).value;
+            assert!((exact.receiver(beta, 1.25, 0.0, 1e-9).value - centre).norm() < 2e-9 * centre.norm());
+        }
+    }
+    println!("worst {worst:e}");
+}
+
+#[test]
+fn modes_are_the_waves() {
+    // the poles of thin layers nearest the real axis are the roots of the compound matrix
+    use groundwave::soil::dispersion::{SurfaceWave, modes};
+    let profile = named("paper_layered");
+    for f in [5.0, 20.0, 50.0, 80.0] {
+        let ground = ThinLayer::default().prepare(&profile, TAU * f, &[]).unwrap();
+        let poles = ground.modes().unwrap();
+        let found = modes(&profile, SurfaceWave::Rayleigh, TAU * f, 5);
+        assert_eq!(found.modes.len(), found.count);
+        for mode in found.modes.iter().flatten() {
+            let k2 = mode.k * mode.k;
+            let nearest = poles.iter().map(|p| (p.kappa - k2).norm()).fold(f64::INFINITY, f64::min);
+            println!("{f} Hz: c = {:.3} m/s, {:.1e}", mode.phase_velocity, nearest / k2.norm());
+        }
+    }
+}

@@ -9,10 +9,10 @@ mod modes;
 pub use element::Element;
 
 use super::layer_stiffness::LayerStiffness;
-use super::strip::{Outline, Strip};
+use super::strip::{Outline, Strip, quadrature, receiver_quadrature};
 use super::transfer_matrix::surface_compliance;
 use super::wave::Wave;
-use super::{Compliance, GroundSolver, PreparedGround, Profile, SoilError, SurfaceCompliance, chain};
+use super::{Compliance, GroundSolver, Pole, PreparedGround, Profile, SoilError, SurfaceCompliance, chain};
 use crate::math::complex::I;
 use crate::math::quadrature::Estimate;
 use mesh::{Mesh, Resolution};
@@ -291,6 +291,12 @@ impl ThinLayerAt {
         (in_plane, (0..self.depths.len()).map(|receiver| anti_plane.sum(receiver, source, k)).collect())
     }
 
+    /// A closed form as an estimate; its error is that of the sublayers.
+    fn estimate(&self, value: Complex64, modes: &Modes) -> Estimate {
+        let error = self.settings.accuracy * value.norm();
+        Estimate { value: self.signed(value), error, count: modes.kappa.len(), converged: value.is_finite() }
+    }
+
     fn signed(&self, z: Complex64) -> Complex64 {
         if self.negative { z.conj() } else { z }
     }
@@ -332,12 +338,23 @@ impl PreparedGround for ThinLayerAt {
     /// In closed form where the modes answer at β.
     fn strip(&self, beta: f64, strip: Strip, relative: f64) -> Estimate {
         match self.modes_at(beta.abs()) {
-            Some(modes) => {
-                let value = self.signed(modes.strip(beta, strip));
-                let error = self.settings.accuracy * value.norm();
-                Estimate { value, error, count: modes.kappa.len(), converged: value.is_finite() }
-            }
-            None => super::strip::quadrature(&|k| self.u_zz(k), &self.outline, beta, strip, relative),
+            Some(modes) => self.estimate(modes.strip(beta, strip), modes),
+            None => quadrature(&|k| self.u_zz(k), &self.outline, beta, strip, relative),
         }
+    }
+
+    /// In closed form where the modes answer at β.
+    fn receiver(&self, beta: f64, half_width: f64, y: f64, relative: f64) -> Estimate {
+        match self.modes_at(beta.abs()) {
+            Some(modes) => self.estimate(modes.receiver(beta, half_width, y), modes),
+            None => receiver_quadrature(&|k| self.u_zz(k), &self.outline, beta, half_width, y, relative),
+        }
+    }
+
+    fn modes(&self) -> Result<Vec<Pole>, SoilError> {
+        let InPlane { modes, .. } = self.modes().ok_or(SoilError::NoModes)?;
+        let signed = |z: &Complex64| self.signed(*z);
+        let poles = modes.kappa.iter().zip(&modes.surface);
+        Ok(poles.map(|(kappa, residue)| Pole { kappa: signed(kappa), residue: signed(residue) }).collect())
     }
 }
