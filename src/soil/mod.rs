@@ -86,6 +86,26 @@ pub enum Solver {
     Flexibility,
 }
 
+impl Solver {
+    /// Its name in case files, reports and attributes.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::DirectStiffness => "direct-stiffness",
+            Self::TransferMatrix => "transfer-matrix",
+            Self::Flexibility => "flexibility",
+        }
+    }
+
+    /// What it does, in one sentence for a report.
+    pub fn method(&self) -> &'static str {
+        match self {
+            Self::DirectStiffness => "Compliance of the ground by the direct stiffness method (exact layer matrices).",
+            Self::TransferMatrix => "Compliance of the ground by compound transfer matrices (exact, free of cancellation).",
+            Self::Flexibility => "Compliance of the ground by recursion on flexibilities (exact, waves up and down kept apart).",
+        }
+    }
+}
+
 /// Refuses depths on behalf of a solver of the surface alone.
 fn surface_only(solver: &'static str, depths: &[f64]) -> Result<(), SoilError> {
     match depths.iter().find(|z| **z != 0.0) {

@@ -267,6 +267,8 @@ impl Waves {
 struct TransferMatrixAt {
     waves: Waves,
     negative: bool,
+    /// Prepared depths, all of them 0.
+    depths: usize,
     outline: Outline,
 }
 
@@ -281,6 +283,7 @@ impl GroundSolver for TransferMatrix {
         Ok(Box::new(TransferMatrixAt {
             waves: Waves::new(profile, omega.abs()),
             negative: omega < 0.0,
+            depths: depths.len(),
             outline: Outline::new(profile, omega),
         }))
     }
@@ -315,9 +318,8 @@ impl PreparedGround for TransferMatrixAt {
         if self.negative { g.conj() } else { g }
     }
 
-    fn at_depths(&self, _k: f64, _source: usize) -> Vec<Compliance> {
-        // none can have been prepared
-        Vec::new()
+    fn at_depths(&self, k: f64, _source: usize) -> Vec<Compliance> {
+        vec![self.surface(k).into(); self.depths]
     }
 
     fn outline(&self) -> &Outline {
