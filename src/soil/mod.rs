@@ -99,9 +99,15 @@ impl Solver {
     /// What it does, in one sentence for a report.
     pub fn method(&self) -> &'static str {
         match self {
-            Self::DirectStiffness => "Compliance of the ground by the direct stiffness method (exact layer matrices).",
-            Self::TransferMatrix => "Compliance of the ground by compound transfer matrices (exact, free of cancellation).",
-            Self::Flexibility => "Compliance of the ground by recursion on flexibilities (exact, waves up and down kept apart).",
+            Self::DirectStiffness => {
+                "Compliance of the ground by the direct stiffness method (exact layer matrices)."
+            }
+            Self::TransferMatrix => {
+                "Compliance of the ground by compound transfer matrices (exact, free of cancellation)."
+            }
+            Self::Flexibility => {
+                "Compliance of the ground by recursion on flexibilities (exact, waves up and down kept apart)."
+            }
         }
     }
 }

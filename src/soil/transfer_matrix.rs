@@ -97,7 +97,8 @@ impl Exponential {
             // a² − d² = 4ps and a d = p² − s²: the larger of the two divides
             let ps = p * s;
             odd1 = if 4.0 * ps.norm_sqr() > (a * d).norm_sqr() {
-                let (_, sinhc_a) = hyperbolic(a);
+                // of the same exponentials as even₂: where they turn often, even and odd must turn alike
+                let sinhc_a = (p * sinhc_p * cosh_s + s * sinhc_s * cosh_p) / a;
                 (sinhc_a - sinhc_d) / (4.0 * ps)
             } else {
                 0.5 * (cosh_p * sinhc_s - cosh_s * sinhc_p) / (a * d)

@@ -24,18 +24,18 @@ fn with_direct_stiffness(input: &Ground) -> Verdict {
     let mut worst = 0.0f64;
     for &solver in SOLVERS {
         let gap = difference(&exact, &surface(solver, input)?) / input.cost(input.k);
+        // measured 1.8e-12 of 200 000
         worst = worst.max(within(gap, 1e-11, || solver.name().into())?);
     }
     Ok(worst)
 }
 
-/// The two that form no stiffness of a layer against one another.
+/// The two that form no stiffness of a layer against one another, whatever the cost of one. Worst of 200 000 grounds.
 fn without_stiffness(input: &Ground) -> Verdict {
-    let gap =
-        difference(&surface(Solver::TransferMatrix, input)?, &surface(Solver::Flexibility, input)?);
-    within(gap, TOL, || "transfer-matrix, flexibility".into())
+    let gap = difference(&surface(Solver::TransferMatrix, input)?, &surface(Solver::Flexibility, input)?);
+    // measured 9.6e-11: thin rock on ground 4000 times softer, near its Rayleigh wave; it is flexibility that loses them
+    within(gap, 1e-9, || "transfer-matrix, flexibility".into())
 }
-const TOL: f64 = 1e30;
 
 #[test]
 fn exact_solvers_agree() {
@@ -50,6 +50,7 @@ fn haskell_is_right_or_refuses() {
     let verdict = ask(4000, &inputs(), |input| match haskell(&input.profile(), input.omega, input.k) {
         Ok(g) => {
             answered.set(answered.get() + 1);
+            // measured 6.9e-10; it answers 141 390 of 200 000
             within(difference(&g, &surface(Solver::TransferMatrix, input)?), 1e-9, || "Haskell".into())
         }
         Err(SoilError::DigitsLost { .. }) => {
