@@ -1,7 +1,7 @@
 //! `[soil]` and `[foundation]` → profile or springs, with every fault at its key.
 
 use super::error::Finding;
-use super::schema::{FoundationInput, FoundationKind, MaterialInput, SoilInput, SolverKind};
+use super::schema::{FoundationInput, FoundationKind, MaterialInput, SoilInput, SolverInput, SolverKind};
 use crate::foundation::Winkler;
 use crate::soil::{Base, Elastic, Layer, Material, Profile, SoilError, Solver};
 
@@ -81,8 +81,29 @@ fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
     Ok(material)
 }
 
-/// The profile of `[soil]`; `path` is where the table stands (`soil`, or empty in a library file).
-pub fn profile(input: &SoilInput, path: &str) -> Result<(Profile, Solver), Finding> {
+/// The solver a case calls `kind`, with its usual settings.
+fn solver(kind: SolverKind) -> Solver {
+    match kind {
+        SolverKind::DirectStiffness => Solver::DirectStiffness,
+        SolverKind::TransferMatrix => Solver::TransferMatrix,
+        SolverKind::Flexibility => Solver::Flexibility,
+    }
+}
+
+/// The solver of `[soil.solver]`, and the one to verify it with.
+fn solvers(input: SolverInput, path: &str) -> Result<(Solver, Option<Solver>), Finding> {
+    let first = solver(input.kind);
+    if input.verify == Some(input.kind) {
+        let message = format!("{} cannot verify itself", first.name());
+        return Err(Finding::new(path, message).help(
+            "name another solver: direct-stiffness, transfer-matrix or flexibility; or remove the key",
+        ));
+    }
+    Ok((first, input.verify.map(solver)))
+}
+
+/// The profile of `[soil]`, its solver and the one to verify it with; `path` is where the table stands (`soil`, or empty in a library file).
+pub fn profile(input: &SoilInput, path: &str) -> Result<(Profile, Solver, Option<Solver>), Finding> {
     let at = |rest: &str| if path.is_empty() { rest.to_owned() } else { format!("{path}.{rest}") };
     let mut layers = Vec::new();
     for (i, layer) in input.layer.iter().enumerate() {
@@ -124,11 +145,9 @@ pub fn profile(input: &SoilInput, path: &str) -> Result<(Profile, Solver), Findi
                 .help("remove one of them"));
         }
     };
-    let solver = match input.solver.map(|s| s.kind) {
-        None | Some(SolverKind::DirectStiffness) => Solver::DirectStiffness,
-    };
+    let (solver, verify) = solvers(input.solver.unwrap_or_default(), &at("solver.verify"))?;
     let profile = Profile::new(layers, base).map_err(|error| Finding::new(path, error))?;
-    Ok((profile, solver))
+    Ok((profile, solver, verify))
 }
 
 /// The springs of `[foundation]`.

@@ -26,6 +26,8 @@ pub struct Case {
     pub references: Vec<String>,
     /// Ground, track, train.
     pub model: Model,
+    /// The same with the solver that is to verify it (`soil.solver.verify`).
+    pub witness: Option<Model>,
     /// What is asked.
     pub studies: Vec<Study>,
 }
@@ -245,11 +247,13 @@ impl Case {
     ) -> Result<Self, CaseError> {
         let input: CaseInput = read(text, name)?;
         let loader = Loader { name, text, open, files: RefCell::default(), references: RefCell::default() };
+        let mut verify = None;
         let support = match (&input.soil, &input.foundation) {
             (Some(soil), None) => {
                 let soil = loader.resolve(soil, "soil", "soils")?;
-                let (profile, solver) =
+                let (profile, solver, second) =
                     ground::profile(&soil.table, &soil.prefix).map_err(|f| f.at(&soil.name, &soil.text))?;
+                verify = second;
                 Support::Ground(profile, solver)
             }
             (None, Some(springs)) => Support::Winkler(ground::springs(springs).map_err(|f| loader.fault(f))?),
@@ -273,6 +277,10 @@ impl Case {
         let train = input.train.as_ref().map(|train| loader.train(train)).transpose()?;
         let model =
             Model::new(support, contact, stack, train).map_err(|e| loader.fault(Finding::new("track", e)))?;
+        let witness = verify
+            .map(|solver| model.with_solver(solver))
+            .transpose()
+            .map_err(|e| loader.fault(Finding::new("soil.solver.verify", e)))?;
         let studies = studies::studies(&input, &|name| loader.file(name)).map_err(|f| loader.fault(f))?;
         for study in &studies {
             study.check(&model).map_err(|e| loader.fault(Finding::new(study.name(), e)))?;
@@ -284,6 +292,7 @@ impl Case {
             files: loader.files.into_inner(),
             references: loader.references.into_inner(),
             model,
+            witness,
             studies,
         })
     }

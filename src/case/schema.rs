@@ -60,19 +60,27 @@ pub enum BaseInput {
 }
 
 /// `soil.solver`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SolverInput {
-    /// Name of the solver.
+    /// Name of the solver; direct-stiffness by default.
+    #[serde(default)]
     pub kind: SolverKind,
+    /// Another solver, which answers every study a second time; the differences are reported.
+    pub verify: Option<SolverKind>,
 }
 
 /// `soil.solver.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolverKind {
     /// Exact layer stiffness matrices.
+    #[default]
     DirectStiffness,
+    /// Exact compound transfer matrices.
+    TransferMatrix,
+    /// Exact recursion on flexibilities.
+    Flexibility,
 }
 
 /// `[[soil.layer]]` with a thickness, or `[soil.half_space]` without.

@@ -4,6 +4,7 @@ use super::{Foundation, FoundationError, Moving, Stiffness};
 use crate::math::interpolation::Interpolant;
 use crate::soil::{GroundSolver, PreparedGround, Profile, SoilError, Solver, Strip};
 use num_complex::Complex64;
+use std::cell::RefCell;
 
 /// A profile loaded over a strip.
 #[derive(Clone, Debug)]
@@ -41,10 +42,8 @@ impl LayeredSoil {
         self.solver
     }
 
-    fn prepare(&self, omega: f64) -> Box<dyn PreparedGround> {
-        let ground: Result<_, SoilError> = self.solver.prepare(&self.profile, omega, &[]);
-        // only a depth outside the ground can fail, and none is asked for
-        ground.unwrap_or_else(|error| unreachable!("{error}"))
+    fn prepare(&self, omega: f64) -> Result<Box<dyn PreparedGround>, SoilError> {
+        self.solver.prepare(&self.profile, omega, &[])
     }
 
     /// Refuses phase speeds at which undamped ground has a real pole.
@@ -63,7 +62,7 @@ impl LayeredSoil {
 impl Foundation for LayeredSoil {
     fn stiffness_to(&self, beta: f64, omega: f64, relative: f64) -> Result<Stiffness, FoundationError> {
         self.check(if omega == 0.0 { 0.0 } else { (omega / beta).abs() })?;
-        let estimate = self.prepare(omega).strip(beta, self.strip, relative);
+        let estimate = self.prepare(omega)?.strip(beta, self.strip, relative);
         Ok(Stiffness {
             value: 1.0 / estimate.value,
             relative_error: estimate.error / estimate.value.norm(),
@@ -84,9 +83,21 @@ impl Foundation for LayeredSoil {
         let mut converged = true;
         // each integral as well as its neighbour needed it: a tenth of the error allowed there
         let mut relative = 1e-6;
+        // the first ground that cannot answer; nothing is computed after it
+        let failure: RefCell<Option<SoilError>> = RefCell::default();
         let compliance = |log_beta: f64| {
             let beta = log_beta.exp();
-            let estimate = self.prepare(-beta * speed).strip(beta, self.strip, relative);
+            if failure.borrow().is_some() {
+                return Complex64::ONE;
+            }
+            let ground = match self.prepare(-beta * speed) {
+                Ok(ground) => ground,
+                Err(error) => {
+                    failure.replace(Some(error));
+                    return Complex64::ONE;
+                }
+            };
+            let estimate = ground.strip(beta, self.strip, relative);
             converged &= estimate.converged;
             let bearable = allowed(beta, 1.0 / estimate.value) / estimate.value.norm();
             relative = (0.1 * bearable).clamp(1e-8, 1e-3);
@@ -98,8 +109,12 @@ impl Foundation for LayeredSoil {
         points
             .extend([0.01f64, 0.1, 1.0].iter().map(|b| b.ln()).filter(|b| *b > low + 0.5 && *b < high - 0.5));
         points.push(high);
-        let interpolant =
-            Interpolant::new(compliance, &points, |log_beta, value| allowed(log_beta.exp(), 1.0 / value));
+        let interpolant = Interpolant::new(compliance, &points, |log_beta, value| {
+            if failure.borrow().is_some() { f64::INFINITY } else { allowed(log_beta.exp(), 1.0 / value) }
+        });
+        if let Some(error) = failure.into_inner() {
+            return Err(error.into());
+        }
         converged &= interpolant.converged;
         let stiffness = move |beta: f64| -> Complex64 { 1.0 / interpolant.at(beta.ln()) };
         Ok(Moving { stiffness: Box::new(stiffness), converged })
