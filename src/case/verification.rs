@@ -119,7 +119,7 @@ impl Verification {
                 skipped.map(|s| vec![(*study).to_owned(), s.clone(), "not compared".into(), String::new()]),
             );
         }
-        let header = ["study", "quantity", "largest difference", "relative to the largest value in its unit"];
+        let header = ["study", "quantity", "largest difference", "relative to the largest value of its kind"];
         ReportTable {
             title: format!("Verification with {}", self.solver),
             header: header.map(str::to_owned).to_vec(),

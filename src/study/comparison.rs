@@ -3,7 +3,6 @@
 use super::Outcome;
 use crate::concern::Concern;
 use crate::dataset::{Group, Variable};
-use std::collections::BTreeMap;
 
 /// Largest relative difference that is no concern.
 pub const TOLERABLE: f64 = 1e-3;
@@ -18,7 +17,7 @@ pub struct Difference {
     pub name: String,
     /// max |a − b| in `unit`
     pub absolute: f64,
-    /// The same over the largest value in that unit.
+    /// The same over the largest value of its kind: same unit and dimensions.
     pub relative: f64,
     /// SI unit.
     pub unit: String,
@@ -38,7 +37,6 @@ pub struct Comparison {
 /// Values to be compared, real ones with an imaginary part of 0.
 struct Quantity<'a> {
     name: &'a str,
-    unit: &'a str,
     /// Shape and values, of both solvers.
     re: [&'a Variable; 2],
     im: Option<[&'a Variable; 2]>,
@@ -108,7 +106,7 @@ fn quantities<'a>(a: &'a Group, b: &'a Group, skipped: &mut Vec<String>) -> Vec<
             },
             None => (name, None),
         };
-        found.push(Quantity { name, unit: &variable.units, re, im });
+        found.push(Quantity { name, re, im });
     }
     skipped.extend(
         b.variables
@@ -119,20 +117,28 @@ fn quantities<'a>(a: &'a Group, b: &'a Group, skipped: &mut Vec<String>) -> Vec<
     found
 }
 
-/// Name, unit, largest value and difference → difference relative to the largest value in that unit.
-fn relative_to_unit(measured: Vec<(&str, &str, f64, f64)>) -> Vec<Difference> {
-    let mut scales: BTreeMap<&str, f64> = BTreeMap::new();
-    for (_, unit, largest, _) in &measured {
-        let scale = scales.entry(unit).or_default();
-        *scale = scale.max(*largest);
-    }
+/// What was measured of one quantity.
+struct Measured<'a> {
+    name: &'a str,
+    unit: &'a str,
+    dims: &'a [String],
+    largest: f64,
+    gap: f64,
+}
+
+/// Differences relative to the largest value of the same unit and dimensions.
+fn relative_to_kind(measured: &[Measured]) -> Vec<Difference> {
+    let scale = |of: &Measured| {
+        let kin = measured.iter().filter(|m| m.unit == of.unit && m.dims == of.dims);
+        kin.map(|m| m.largest).fold(0.0, f64::max)
+    };
     measured
-        .into_iter()
-        .map(|(name, unit, _, gap)| Difference {
-            name: name.to_owned(),
-            absolute: gap,
-            relative: if gap == 0.0 { 0.0 } else { gap / scales[unit] },
-            unit: unit.to_owned(),
+        .iter()
+        .map(|m| Difference {
+            name: m.name.to_owned(),
+            absolute: m.gap,
+            relative: if m.gap == 0.0 { 0.0 } else { m.gap / scale(m) },
+            unit: m.unit.to_owned(),
         })
         .collect()
 }
@@ -141,7 +147,7 @@ impl Comparison {
     /// Compares what two solvers left for the same study.
     ///
     /// For every dataset of the same name, shape and coordinates, and for every answer of the same key, the largest |a − b|
-    /// relative to the largest value in the same unit: an upward deflection of a nanometre beside a downward one of a
+    /// relative to the largest value of the same unit and dimensions: an upward deflection of a nanometre beside a downward one of a
     /// millimetre is no disagreement of 100 %. Complex pairs are judged by modulus; coordinates and estimates of errors
     /// are left out.
     pub fn new(a: &Outcome, b: &Outcome) -> Self {
@@ -149,7 +155,10 @@ impl Comparison {
         let mut measured = Vec::new();
         for quantity in quantities(&a.group, &b.group, &mut skipped) {
             match quantity.measure() {
-                Some((largest, gap)) => measured.push((quantity.name, quantity.unit, largest, gap)),
+                Some((largest, gap)) => {
+                    let Variable { units, dims, .. } = quantity.re[0];
+                    measured.push(Measured { name: quantity.name, unit: units, dims, largest, gap });
+                }
                 None => skipped.push(format!("{}: not finite in one of the solutions", quantity.name)),
             }
         }
@@ -161,12 +170,13 @@ impl Comparison {
                 }
                 Some(other) => {
                     let largest = one.value.abs().max(other.value.abs());
-                    answers.push((one.key.as_str(), one.unit, largest, (one.value - other.value).abs()));
+                    let gap = (one.value - other.value).abs();
+                    answers.push(Measured { name: &one.key, unit: one.unit, dims: &[], largest, gap });
                 }
                 None => skipped.push(format!("{}: no such answer in the second solution", one.key)),
             }
         }
-        Self { datasets: relative_to_unit(measured), answers: relative_to_unit(answers), skipped }
+        Self { datasets: relative_to_kind(&measured), answers: relative_to_kind(&answers), skipped }
     }
 
     /// Nothing could be compared.
@@ -186,7 +196,7 @@ impl Comparison {
             concerns.push(Concern::new(
                 "solvers-disagree",
                 format!(
-                    "{study}: {first} and {second} differ by {:.1e} of the largest value in {} (limit {TOLERABLE:.0e})",
+                    "{study}: {first} and {second} differ by {:.1e} in {}, relative to the largest value (limit {TOLERABLE:.0e})",
                     worst.relative, worst.name
                 ),
                 "ask a third solver; refine the settings of an approximate one; look for very thin layers, very little damping \
@@ -233,6 +243,7 @@ mod tests {
             .coordinate("k", &[1.0], "rad m-1", "wavenumber")
             .variable("down", &["x"], arr1(down).into_dyn(), "m", "down")
             .variable("up", &["x"], arr1(down).into_dyn() * 1e-9, "m", "up")
+            .scalar("length", 1e3, "m", "of another kind than deflections")
             .variable("aliasing", &["x"], arr1(down).into_dyn(), "1", "an estimate")
             .complex("g", &["k"], &g, "m Pa-1", "compliance");
         let answers = vec![Answer::new("peak", "Peak", peak, "m", String::new())];
@@ -240,15 +251,15 @@ mod tests {
     }
 
     #[test]
-    fn differences_are_relative_to_the_largest_of_their_unit() {
+    fn differences_are_relative_to_the_largest_of_their_kind() {
         let (a, b) = (Complex64::new(3.0, 4.0), Complex64::new(3.0, 4.5));
         let (mut one, two) = (outcome(&[1.0, -2.0], a, 2.0), outcome(&[1.0, -2.002], b, 2.0));
         let comparison = Comparison::new(&one, &two);
         let of: Vec<(&str, f64)> =
             comparison.datasets.iter().map(|d| (d.name.as_str(), d.relative)).collect();
-        assert_eq!(of.iter().map(|d| d.0).collect::<Vec<_>>(), ["down", "up", "g"]);
+        assert_eq!(of.iter().map(|d| d.0).collect::<Vec<_>>(), ["down", "up", "length", "g"]);
         assert!((of[0].1 - 0.002 / 2.002).abs() < 1e-12 && of[1].1 < 1e-11);
-        assert!((of[2].1 - 0.5 / b.norm()).abs() < 1e-12);
+        assert!((of[3].1 - 0.5 / b.norm()).abs() < 1e-12);
         assert_eq!(comparison.answers[0].relative, 0.0);
         assert_eq!(comparison.largest().unwrap().name, "g");
         assert_eq!(comparison.concerns("study", "one", "two")[0].code, "solvers-disagree");
@@ -266,7 +277,7 @@ mod tests {
         let (mut a, b) = (outcome(&[1.0, 2.0], one, 1.0), outcome(&[1.0, 2.0, 3.0], one, f64::NAN));
         a.answers.push(Answer::new("more", "More", 0.0, "1", String::new()));
         let comparison = Comparison::new(&a, &b);
-        assert_eq!(comparison.datasets.len(), 1);
+        assert_eq!(comparison.datasets.len(), 2);
         for part in
             ["down: shape [2] in the first solution, [3]", "up: shape", "peak: not finite", "more: no such"]
         {
