@@ -153,7 +153,7 @@ pub fn report(
             .flat_map(|(_, o)| o.answers.iter().map(|a| (a.what.clone(), a.shown.clone())))
             .collect(),
         figures,
-        tables: [verification.map(Verification::table), ground_table(&case.model), train_table(&case.model)]
+        tables: [ground_table(&case.model), train_table(&case.model), verification.map(Verification::table)]
             .into_iter()
             .flatten()
             .collect(),

@@ -108,7 +108,8 @@ impl Verification {
     pub(super) fn table(&self) -> ReportTable {
         let row = |study: &str, name: String, d: &Difference| {
             let unit = if d.unit == "1" { String::new() } else { format!(" {}", d.unit) };
-            vec![study.to_owned(), name, format!("{:.1e}{unit}", d.absolute), format!("{:.1e}", d.relative)]
+            let number = |x: f64| if x == 0.0 { "0".to_owned() } else { format!("{x:.1e}") };
+            vec![study.to_owned(), name, number(d.absolute) + &unit, number(d.relative)]
         };
         let mut rows = Vec::new();
         for (study, comparison) in &self.studies {

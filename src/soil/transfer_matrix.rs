@@ -390,8 +390,7 @@ pub fn haskell(profile: &Profile, omega: f64, k: f64) -> Result<SurfaceComplianc
     let error = error.fixed_view::<2, 2>(0, 0) * abs_inverse
         + abs_g * (error.fixed_view::<2, 2>(2, 0) * top.norm()) * abs_inverse;
     let relative = error.max() / abs_g.max();
-    // written so that NaN is refused
-    if !(relative <= ALLOWED) {
+    if relative.is_nan() || relative > ALLOWED {
         return Err(SoilError::DigitsLost { k, omega, error: relative, allowed: ALLOWED });
     }
     let (v, t, _) = waves.anti_plane(Complex64::from(k));

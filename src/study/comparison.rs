@@ -7,8 +7,8 @@ use crate::dataset::{Group, Variable};
 /// Largest relative difference that is no concern.
 pub const TOLERABLE: f64 = 1e-3;
 
-/// Datasets that estimate an error of their own solver's: they tell nothing of the answer.
-const ESTIMATES: [&str; 3] = ["relative_error", "wrap_around", "aliasing"];
+/// Datasets on how the answer came about, not the answer: estimates of errors, periods of a transform.
+const ASIDE: [&str; 5] = ["relative_error", "wrap_around", "aliasing", "period_x", "period_y"];
 
 /// The largest difference of one dataset, or of one answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,7 +87,7 @@ fn quantities<'a>(a: &'a Group, b: &'a Group, skipped: &mut Vec<String>) -> Vec<
         }
         Some([first, second])
     };
-    let data = a.variables.iter().filter(|v| !v.is_coordinate() && !ESTIMATES.contains(&v.name.as_str()));
+    let data = a.variables.iter().filter(|v| !v.is_coordinate() && !ASIDE.contains(&v.name.as_str()));
     for variable in data {
         let name = variable.name.as_str();
         let partner = |from: &str, to: &str| {
@@ -148,8 +148,8 @@ impl Comparison {
     ///
     /// For every dataset of the same name, shape and coordinates, and for every answer of the same key, the largest |a − b|
     /// relative to the largest value of the same unit and dimensions: an upward deflection of a nanometre beside a downward one of a
-    /// millimetre is no disagreement of 100 %. Complex pairs are judged by modulus; coordinates and estimates of errors
-    /// are left out.
+    /// millimetre is no disagreement of 100 %. Complex pairs are judged by modulus; coordinates and what tells of the
+    /// computation only, such as estimates of errors, are left out.
     pub fn new(a: &Outcome, b: &Outcome) -> Self {
         let mut skipped = Vec::new();
         let mut measured = Vec::new();
@@ -217,6 +217,7 @@ impl Comparison {
 impl std::fmt::Display for Comparison {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.largest() {
+            Some(worst) if worst.relative == 0.0 => write!(f, "no difference")?,
             Some(worst) => write!(f, "largest difference {:.1e} of {}", worst.relative, worst.name)?,
             None => write!(f, "nothing compared")?,
         }
