@@ -218,6 +218,42 @@ fn bad_input_is_refused_in_one_message() {
             ),
         ),
         ("point load", refused_case(&point_case, &["case.toml", "critical_speed", "point load", "patch"])),
+        (
+            "misspelt solver",
+            refused(
+                "\"direct-stiffness\"",
+                "\"direct-stifness\"",
+                &[
+                    "case.toml:3",
+                    "soil.solver.kind",
+                    "did you mean `direct-stiffness`?",
+                    "matrix, flexibility",
+                ],
+            ),
+        ),
+        (
+            "misspelt witness",
+            refused(
+                "solver.kind = \"direct-stiffness\"",
+                "solver.verify = \"flexibilty\"",
+                &["case.toml:3", "soil.solver.verify", "did you mean `flexibility`?"],
+            ),
+        ),
+        (
+            "its own witness",
+            refused(
+                "solver.kind = \"direct-stiffness\"",
+                "solver.verify = \"direct-stiffness\"",
+                &["case.toml:3", "soil.solver.verify", "cannot verify itself", "name another solver"],
+            ),
+        ),
+        (
+            "witness of springs",
+            refused_case(
+                "title = \"x\"\nfoundation.kind = \"winkler\"\nfoundation.verify = \"flexibility\"\n",
+                &["case.toml:3", "foundation", "unknown key `verify`"],
+            ),
+        ),
         ("syntax", refused("poisson = 0.35", "poisson = = 0.35", &["case.toml:7"])),
         ("empty", refused_case("", &["missing key `title`"])),
         ("nothing asked", refused(asked, "", &["asks for nothing", "[critical_speed]"])),
@@ -358,6 +394,83 @@ fn a_run_leaves_what_it_promises() {
     run(&["run", "case.toml", "--out", "a", "--overwrite"]);
     assert_eq!(names_in(&here.join("a")), names);
     assert_eq!(names_in(here), ["a", "b", "c", "case.toml"]);
+}
+
+/// Every study but the contour, in a moment.
+fn questions() -> String {
+    let asked = "[critical_speed]\nspeeds = [40.0, 80.0, 120.0]\n[equivalent_stiffness]\nbeta = [0.2, 1.0]\n\
+                 frequencies = [0.0, 20.0]\n[surface_compliance]\nk = [0.1, 1.0]\nfrequencies = [0.0, 20.0]\n";
+    CASE.replace("[track_response]", &format!("{asked}[track_response]"))
+}
+
+#[test]
+fn a_second_solver_verifies() {
+    let case = questions().replace("solver.kind = \"direct-stiffness\"", "solver.verify = \"flexibility\"");
+    let (folder, _) = folder_with(&case);
+    let output = groundwave(&["run", "case.toml", "--out", "out"], folder.path());
+    assert_eq!(code(&output), 0, "{}", err(&output));
+    let printed = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(printed.matches("verified with flexibility: largest difference").count(), 4, "{printed}");
+    assert!(!printed.contains("disagree") && !printed.contains("not-verified"), "{printed}");
+    let out = folder.path().join("out");
+    let summary: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
+    let verification = &summary["verification"];
+    assert_eq!(verification["solver"], "flexibility");
+    // exact solvers; measured 1e-13: both take the same steps
+    let largest = verification["largest"].as_f64().unwrap();
+    assert!(largest > 0.0 && largest < 1e-5, "{largest:e}");
+    let of = |study: &str, kind: &str, name: &str| verification[study][kind][name].as_f64().unwrap();
+    for (study, kind, name) in [
+        ("critical_speed", "datasets", "max_down"),
+        ("critical_speed", "answers", "critical_speed"),
+        ("track_response", "datasets", "rail"),
+        ("equivalent_stiffness", "datasets", "k_eq"),
+        ("surface_compliance", "datasets", "u_xz"),
+    ] {
+        assert!(of(study, kind, name) <= largest, "{study} {name}");
+    }
+    assert!(of("surface_compliance", "datasets", "u_zz") < 1e-13);
+    let file = out.join("results.h5");
+    let attribute = |name: &str| groundwave::output::hdf5::read_text_attribute(&file, name).unwrap();
+    assert_eq!(attribute("solver"), "direct-stiffness");
+    assert_eq!(attribute("verified_with"), "flexibility");
+    assert!(attribute("verification_track_response").starts_with("largest difference "));
+    let report = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(
+        report.contains("<h2>Verification with flexibility</h2>") && report.contains("<td>max_down</td>")
+    );
+    assert!(report.contains("direct stiffness method"));
+    // the stored case verifies again
+    let again = groundwave(&["run", "out/results.h5", "--out", "again"], folder.path());
+    assert_eq!(code(&again), 0, "{}", err(&again));
+    let read = |of: &str| std::fs::read(folder.path().join(of).join("summary.json")).unwrap();
+    assert!(read("out") == read("again"));
+}
+
+#[test]
+fn every_solver_answers_every_study() {
+    let mut speeds = Vec::new();
+    for kind in ["direct-stiffness", "transfer-matrix", "flexibility"] {
+        let contour = "[contour]\nspeeds = [50.0]\nx = { from = -4.0, to = 4.0 }\ny = { from = -4.0, to = 4.0 }\n\
+                       spacing = 1.0\nclearance = 20.0\n[track_response]";
+        let case = questions().replace("direct-stiffness", kind).replace("[track_response]", contour);
+        let (folder, _) = folder_with(&case);
+        let output = groundwave(&["run", "case.toml", "--out", "out"], folder.path());
+        assert_eq!(code(&output), 0, "{kind}: {}", err(&output));
+        let out = folder.path().join("out");
+        let summary: serde_json::Value =
+            serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
+        assert!(summary.get("verification").is_none());
+        speeds.push(summary["critical_speed"]["critical_speed"].as_f64().unwrap());
+        let solver =
+            groundwave::output::hdf5::read_text_attribute(&out.join("results.h5"), "solver").unwrap();
+        assert_eq!(solver, kind);
+        let report = std::fs::read_to_string(out.join("report.html")).unwrap();
+        assert_eq!(report.contains("by the direct stiffness method"), kind == "direct-stiffness");
+    }
+    // measured 0 to the last digits; the maximum is refined to 0.1 m/s
+    assert!(speeds.iter().all(|v| (v - speeds[0]).abs() < 0.1), "{speeds:?}");
 }
 
 #[test]

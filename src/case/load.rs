@@ -1,9 +1,10 @@
 //! A case file → model and studies, everything checked before anything is computed.
 
 use super::error::{CaseError, Finding, from_toml};
-use super::schema::{AxleInput, CaseInput, TrainInput};
+use super::schema::{AxleInput, CaseInput, SoilInput, TrainInput};
 use super::values::Named;
 use super::{ground, library, studies, track};
+use crate::soil::{Profile, Solver};
 use crate::study::{Model, Study, Support};
 use crate::vehicle::{Axle, Train};
 use serde::de::DeserializeOwned;
@@ -26,6 +27,8 @@ pub struct Case {
     pub references: Vec<String>,
     /// Ground, track, train.
     pub model: Model,
+    /// The same with the solver that is to verify it (`soil.solver.verify`).
+    pub witness: Option<Model>,
     /// What is asked.
     pub studies: Vec<Study>,
 }
@@ -109,6 +112,37 @@ impl Loader<'_> {
         };
         let table = read(&text, &name)?;
         Ok(Resolved { table, prefix: String::new(), name, text })
+    }
+
+    /// The ground, its solver and the one to verify it with.
+    fn soil(&self, named: &Named<SoilInput>) -> Result<(Profile, Solver, Option<Solver>), CaseError> {
+        let mut soil = self.resolve(named, "soil", "soils")?;
+        let solver_path = |prefix: &str| [prefix, "solver"].join(if prefix.is_empty() { "" } else { "." });
+        let mut solvers = ground::solvers(soil.table.solver.as_ref(), &solver_path(&soil.prefix))
+            .map_err(|f| f.at(&soil.name, &soil.text))?;
+        if let Some(name) = &soil.table.library {
+            let path = format!("{}.library", soil.prefix);
+            if soil.prefix.is_empty() {
+                let finding = Finding::new("library", "a library soil cannot name another one");
+                return Err(finding.help("give its layers").at(&soil.name, &soil.text));
+            }
+            if !soil.table.layer.is_empty() || soil.table.half_space.is_some() || soil.table.base.is_some() {
+                let finding = Finding::new(path, "a library soil and layers of its own are both given");
+                return Err(self.fault(finding.help("remove library, or the layers and the base")));
+            }
+            let own = soil.table.solver.is_some();
+            soil = self.resolve(&Named::Name(name.clone()), &path, "soils")?;
+            if soil.table.library.is_some() {
+                let finding = Finding::new("library", "a library soil cannot name another one");
+                return Err(finding.help("give its layers").at(&soil.name, &soil.text));
+            }
+            if !own {
+                solvers = ground::solvers(soil.table.solver.as_ref(), "solver")
+                    .map_err(|f| f.at(&soil.name, &soil.text))?;
+            }
+        }
+        let profile = ground::profile(&soil.table, &soil.prefix).map_err(|f| f.at(&soil.name, &soil.text))?;
+        Ok((profile, solvers.0, solvers.1))
     }
 
     fn train(&self, named: &Named<TrainInput>) -> Result<Train, CaseError> {
@@ -245,11 +279,11 @@ impl Case {
     ) -> Result<Self, CaseError> {
         let input: CaseInput = read(text, name)?;
         let loader = Loader { name, text, open, files: RefCell::default(), references: RefCell::default() };
+        let mut verify = None;
         let support = match (&input.soil, &input.foundation) {
             (Some(soil), None) => {
-                let soil = loader.resolve(soil, "soil", "soils")?;
-                let (profile, solver) =
-                    ground::profile(&soil.table, &soil.prefix).map_err(|f| f.at(&soil.name, &soil.text))?;
+                let (profile, solver, second) = loader.soil(soil)?;
+                verify = second;
                 Support::Ground(profile, solver)
             }
             (None, Some(springs)) => Support::Winkler(ground::springs(springs).map_err(|f| loader.fault(f))?),
@@ -273,6 +307,10 @@ impl Case {
         let train = input.train.as_ref().map(|train| loader.train(train)).transpose()?;
         let model =
             Model::new(support, contact, stack, train).map_err(|e| loader.fault(Finding::new("track", e)))?;
+        let witness = verify
+            .map(|solver| model.with_solver(solver))
+            .transpose()
+            .map_err(|e| loader.fault(Finding::new("soil.solver.verify", e)))?;
         let studies = studies::studies(&input, &|name| loader.file(name)).map_err(|f| loader.fault(f))?;
         for study in &studies {
             study.check(&model).map_err(|e| loader.fault(Finding::new(study.name(), e)))?;
@@ -284,6 +322,7 @@ impl Case {
             files: loader.files.into_inner(),
             references: loader.references.into_inner(),
             model,
+            witness,
             studies,
         })
     }

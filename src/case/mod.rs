@@ -10,10 +10,12 @@ pub mod schema;
 mod studies;
 mod track;
 pub mod values;
+mod verification;
 
 pub use error::CaseError;
 pub use load::Case;
 pub use runner::{RunError, RunOptions, Summary, check_output, run, staging_prefix};
+pub use verification::Verification;
 
 /// A commented case file to start from: what `groundwave new` writes.
 pub const TEMPLATE: &str = include_str!("template.toml");

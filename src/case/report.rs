@@ -1,19 +1,17 @@
 //! What goes into `report.html`: answers, pictures, every input, the assumptions.
 
 use super::Case;
+use super::verification::Verification;
 use crate::concern::Concern;
 use crate::output::{Report, ReportTable};
-use crate::soil::{Base, Material, Solver};
+use crate::soil::{Base, Material};
 use crate::study::{Contact, Model, Outcome, Support};
 
 /// Name of the ground's solver, for people and attributes.
-pub fn solver(model: &Model) -> String {
+pub fn solver(model: &Model) -> &'static str {
     match model.support() {
-        Support::Ground(_, Solver::DirectStiffness) => "direct-stiffness".into(),
-        Support::Ground(_, Solver::TransferMatrix) => "transfer-matrix".into(),
-        Support::Ground(_, Solver::Flexibility) => "flexibility".into(),
-        Support::Ground(_, Solver::ThinLayer(_)) => "thin-layer".into(),
-        Support::Winkler(_) => "none (Winkler springs)".into(),
+        Support::Ground(_, solver) => solver.name(),
+        Support::Winkler(_) => "none (Winkler springs)",
     }
 }
 
@@ -93,11 +91,9 @@ fn assumptions(model: &Model) -> Vec<String> {
         "Track values are for the whole track: both rails.".to_owned(),
     ];
     match model.support() {
-        Support::Ground(profile, _) => {
+        Support::Ground(profile, solver) => {
             list.push("Horizontally layered, isotropic ground with hysteretic damping M* = M (1 + iη sgn ω); small strains: if the computed strains are large, use strain-reduced moduli.".into());
-            list.push(
-                "Compliance of the ground by the direct stiffness method (exact layer matrices).".into(),
-            );
+            list.push(solver.method());
             if profile.is_undamped() {
                 list.push("The ground is undamped.".into());
             }
@@ -144,6 +140,7 @@ fn inputs(case: &Case) -> String {
 pub fn report(
     case: &Case,
     outcomes: &[(&'static str, Outcome)],
+    verification: Option<&Verification>,
     concerns: &[Concern],
     figures: Vec<(String, String, String)>,
 ) -> Report {
@@ -156,7 +153,10 @@ pub fn report(
             .flat_map(|(_, o)| o.answers.iter().map(|a| (a.what.clone(), a.shown.clone())))
             .collect(),
         figures,
-        tables: [ground_table(&case.model), train_table(&case.model)].into_iter().flatten().collect(),
+        tables: [ground_table(&case.model), train_table(&case.model), verification.map(Verification::table)]
+            .into_iter()
+            .flatten()
+            .collect(),
         case_text: inputs(case),
         assumptions: assumptions(&case.model),
         concerns: concerns.to_vec(),

@@ -1,6 +1,6 @@
 //! Runs a case and leaves its results, whole or not at all.
 
-use super::{Case, report};
+use super::{Case, Verification, report};
 use crate::concern::Concern;
 use crate::dataset::{Attribute, Dataset};
 use crate::output::{OutputError, csv, hdf5, json, plot};
@@ -27,6 +27,8 @@ pub struct RunOptions {
 pub struct Summary {
     /// Answers by study.
     pub answers: Vec<(&'static str, Vec<Answer>)>,
+    /// What another solver says to them, where the case asks.
+    pub verification: Option<Verification>,
     /// Every concern.
     pub concerns: Vec<Concern>,
     /// Files written, relative to the output folder.
@@ -109,7 +111,7 @@ pub fn check_output(out: &Path, overwrite: bool) -> Result<(), RunError> {
         .map_err(|e| unwritable(e.to_string()))
 }
 
-/// Computes every study of `case` and writes HDF5, CSV, JSON, pictures and report.
+/// Computes every study of `case`, a second time where it is to be verified, and writes HDF5, CSV, JSON, pictures and report.
 ///
 /// # Errors
 /// A folder that cannot be made, a study that fails, concerns under `strict`; then nothing is left behind.
@@ -122,6 +124,8 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
             .map_err(|source| RunError::Study { study: study.name(), source })?;
         outcomes.push((study.name(), outcome));
     }
+    let verification =
+        case.witness.as_ref().map(|witness| Verification::run(case, witness, &mut outcomes, observer));
     let concerns: Vec<Concern> = outcomes.iter().flat_map(|(_, o)| o.concerns.clone()).collect();
     if options.strict && !concerns.is_empty() {
         return Err(RunError::Strict { concerns });
@@ -133,7 +137,7 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
     let staging =
         tempfile::Builder::new().prefix(&staging_prefix()).tempdir_in(&parent).map_err(unwritable)?;
     observer.begin("writing", 1);
-    write(case, &outcomes, &concerns, staging.path())?;
+    write(case, &outcomes, verification.as_ref(), &concerns, staging.path())?;
     let mut files: Vec<String> = std::fs::read_dir(staging.path())
         .map_err(unwritable)?
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
@@ -152,7 +156,7 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
     observer.advance();
     observer.end();
     let answers = outcomes.into_iter().map(|(name, o)| (name, o.answers)).collect();
-    Ok(Summary { answers, concerns, files })
+    Ok(Summary { answers, verification, concerns, files })
 }
 
 /// A temporary folder is closed to others; a result is as open as any folder.
@@ -169,6 +173,7 @@ fn open_to_readers(folder: &Path) {
 fn write(
     case: &Case,
     outcomes: &[(&'static str, Outcome)],
+    verification: Option<&Verification>,
     concerns: &[Concern],
     folder: &Path,
 ) -> Result<(), RunError> {
@@ -190,6 +195,7 @@ fn write(
     if let Some(source) = &case.source {
         attributes.push(("source".into(), source.clone().into()));
     }
+    attributes.extend(verification.map(Verification::attributes).into_iter().flatten());
     let groups = outcomes.iter().map(|(_, o)| o.group.clone()).collect();
     hdf5::write(&Dataset { attributes, groups }, &folder.join("results.h5"))?;
     for (_, outcome) in outcomes {
@@ -204,15 +210,20 @@ fn write(
             Ok((figure.title().to_owned(), caption.clone(), plot::svg(figure)?))
         })
         .collect::<Result<Vec<_>, OutputError>>()?;
-    json::write(&summary(case, outcomes, concerns), &folder.join("summary.json"))?;
-    let html = report::report(case, outcomes, concerns, pictures).html();
+    json::write(&summary(case, outcomes, verification, concerns), &folder.join("summary.json"))?;
+    let html = report::report(case, outcomes, verification, concerns, pictures).html();
     let path = folder.join("report.html");
     std::fs::write(&path, html).map_err(|source| OutputError::Write { path, source })?;
     Ok(())
 }
 
 /// `summary.json`: one object per study with its answers as plain SI numbers, their units beside them.
-fn summary(case: &Case, outcomes: &[(&'static str, Outcome)], concerns: &[Concern]) -> serde_json::Value {
+fn summary(
+    case: &Case,
+    outcomes: &[(&'static str, Outcome)],
+    verification: Option<&Verification>,
+    concerns: &[Concern],
+) -> serde_json::Value {
     let mut root = serde_json::Map::new();
     root.insert("program".into(), "groundwave".into());
     root.insert("version".into(), env!("CARGO_PKG_VERSION").into());
@@ -230,6 +241,9 @@ fn summary(case: &Case, outcomes: &[(&'static str, Outcome)], concerns: &[Concer
         units.insert((*name).into(), of.into());
     }
     root.insert("units".into(), units.into());
+    if let Some(verification) = verification {
+        root.insert("verification".into(), verification.json());
+    }
     root.insert("concerns".into(), serde_json::json!(concerns));
     root.into()
 }

@@ -40,6 +40,8 @@ pub struct SoilInput {
     pub title: Option<String>,
     /// Library files only: source.
     pub source: Option<String>,
+    /// Case files only: layers and base of a library soil, or of a TOML file beside the case.
+    pub library: Option<String>,
     /// Which solver answers.
     pub solver: Option<SolverInput>,
     /// Layers, top first.
@@ -60,19 +62,59 @@ pub enum BaseInput {
 }
 
 /// `soil.solver`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SolverInput {
-    /// Name of the solver.
+    /// Name of the solver; direct-stiffness by default.
+    #[serde(default)]
     pub kind: SolverKind,
+    /// Another solver, which answers every study a second time; the differences are reported.
+    pub verify: Option<SolverKind>,
+    /// Degree of the displacements in a sublayer; cubic by default (thin-layer).
+    pub element: Option<ElementInput>,
+    /// Error of G(k, ω) relative to its largest value; 1e-6 by default (thin-layer).
+    pub accuracy: Option<f64>,
+    /// Sublayers to the shortest wave; by default as many as the accuracy needs (thin-layer).
+    pub sublayers_per_wavelength: Option<f64>,
+    /// How the half-space below the layers is treated; matched by default (thin-layer).
+    pub half_space: Option<BelowLayersInput>,
+}
+
+/// `soil.solver.element`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ElementInput {
+    /// Error ∝ h².
+    Linear,
+    /// Error ∝ h⁴.
+    Quadratic,
+    /// Error ∝ h⁶.
+    Cubic,
+}
+
+/// `soil.solver.half_space`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BelowLayersInput {
+    /// Perfectly matched discrete layers: there are modes.
+    Matched,
+    /// Its exact stiffness: no modes.
+    Exact,
 }
 
 /// `soil.solver.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolverKind {
     /// Exact layer stiffness matrices.
+    #[default]
     DirectStiffness,
+    /// Exact compound transfer matrices.
+    TransferMatrix,
+    /// Exact recursion on flexibilities.
+    Flexibility,
+    /// Thin layers and their modes.
+    ThinLayer,
 }
 
 /// `[[soil.layer]]` with a thickness, or `[soil.half_space]` without.

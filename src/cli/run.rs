@@ -99,13 +99,15 @@ pub fn run(arguments: &RunArguments) -> u8 {
 fn print(case: &Case, summary: &Summary, out: &Path, started: Instant) {
     say(&case.title);
     for (study, answers) in &summary.answers {
-        if answers.is_empty() {
-            say(&format!("\n{study}: see the tables"));
-            continue;
-        }
-        say(&format!("\n{study}"));
+        let see = if answers.is_empty() { ": see the tables" } else { "" };
+        say(&format!("\n{study}{see}"));
         for answer in answers {
             say(&format!("  {:62} {}", answer.what, answer.shown));
+        }
+        if let Some(verification) = &summary.verification {
+            for (_, comparison) in verification.studies.iter().filter(|(name, _)| name == study) {
+                say(&format!("  verified with {}: {comparison}", verification.solver));
+            }
         }
     }
     say("");

@@ -6,6 +6,7 @@ mod winkler;
 pub use layered_soil::LayeredSoil;
 pub use winkler::Winkler;
 
+use crate::soil::SoilError;
 use num_complex::Complex64;
 use thiserror::Error;
 
@@ -61,6 +62,9 @@ pub trait Foundation: Send + Sync {
 /// Why a foundation cannot answer.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum FoundationError {
+    /// The ground cannot answer.
+    #[error(transparent)]
+    Soil(#[from] SoilError),
     /// A parameter must be finite and positive.
     #[error("{quantity} is {value} {unit}: it must be finite and above zero")]
     NotPositive {

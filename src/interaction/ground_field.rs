@@ -8,7 +8,9 @@ use super::far_field::{FarField, component};
 use crate::math::complex::I;
 use crate::math::fourier::{Axis, inverse_2d};
 use crate::soil::strip::sinc;
-use crate::soil::{Base, GroundSolver, PreparedGround, Profile, SoilError, Solver, SurfaceCompliance};
+use crate::soil::{
+    Base, GroundSolver, Material, PreparedGround, Profile, SoilError, Solver, SurfaceCompliance,
+};
 use crate::vehicle::Train;
 use ndarray::Array2;
 use num_complex::Complex64;
@@ -169,6 +171,11 @@ fn response(ground: &dyn PreparedGround, k: f64, vertical_only: bool) -> Surface
     }
 }
 
+/// A profile of one material.
+fn half_space(material: Material) -> Result<Profile, SoilError> {
+    Profile::new(Vec::new(), Base::HalfSpace(material))
+}
+
 impl GroundField<'_> {
     /// The grid for `window`: fine enough for the strip's edges, with periods that leave `clearance` [m], the distance over
     /// which waves fade, between the window and its images.
@@ -196,7 +203,7 @@ impl GroundField<'_> {
     /// it for the case at hand.
     ///
     /// # Errors
-    /// An empty window.
+    /// An empty window; a ground its solver cannot answer for.
     pub fn compute(
         &self,
         window: &Window,
@@ -232,10 +239,10 @@ impl GroundField<'_> {
 
         let spectrum = |n: usize, out: &mut [Vec<Complex64>]| {
             let beta_x = grid.x.beta(n);
-            self.row(beta_x, grid, quantities, blend, &far, &near, out);
+            self.row(beta_x, grid, quantities, blend, &far, &near, out)
         };
         let whole = (grid.y.period_count, grid.x.period_count);
-        let periodic = inverse_2d(grid.x, grid.y, grid.rows, quantities.len(), whole, spectrum);
+        let periodic = inverse_2d(grid.x, grid.y, grid.rows, quantities.len(), whole, spectrum)?;
 
         let mut values = Vec::with_capacity(quantities.len());
         let (mut wrap_around, mut aliasing) = (0.0f64, 0.0f64);
@@ -257,7 +264,7 @@ impl GroundField<'_> {
             wrap_around = wrap_around.max(self.border(field, grid) / largest);
             // the truncated part stands at the edges of the strip, be they in the window or not
             let anywhere = field.iter().fold(largest, |m, v| m.max(v.abs()));
-            aliasing = aliasing.max(self.beyond(quantities[i], grid) / anywhere);
+            aliasing = aliasing.max(self.beyond(quantities[i], grid)? / anywhere);
             values.push(value);
         }
         Ok(Field {
@@ -303,20 +310,17 @@ impl GroundField<'_> {
         far: &[Option<FarField>],
         near: &[Option<FarField>],
         out: &mut [Vec<Complex64>],
-    ) {
+    ) -> Result<(), SoilError> {
         let force = self.force(beta_x);
         let phases = self.phases(beta_x);
         let omega = -beta_x * self.speed;
-        let Ok(ground) = self.solver.prepare(self.profile, omega, &[]) else { return };
-        let half_space = |material| {
-            let profile = Profile::new(Vec::new(), Base::HalfSpace(material)).ok()?;
-            self.solver.prepare(&profile, omega, &[]).ok()
-        };
+        let ground = self.solver.prepare(self.profile, omega, &[])?;
+        let prepared = |material| self.solver.prepare(&half_space(material)?, omega, &[]).map(Some);
         let base = match self.profile.base() {
-            Base::HalfSpace(material) if far.iter().any(Option::is_some) => half_space(material),
+            Base::HalfSpace(material) if far.iter().any(Option::is_some) => prepared(material)?,
             _ => None,
         };
-        let top = if near.iter().any(Option::is_some) { half_space(*self.profile.top()) } else { None };
+        let top = if near.iter().any(Option::is_some) { prepared(*self.profile.top())? } else { None };
         let count = grid.y.period_count;
         let vertical_only =
             quantities.iter().all(|q| matches!(q, Quantity::Vertical | Quantity::VerticalVelocity));
@@ -358,9 +362,10 @@ impl GroundField<'_> {
                 out[i][count / 2] = Complex64::ZERO;
             }
             if beta_x == 0.0 {
-                out[i][0] = self.origin(quantity, grid, blend, &far[i], &near[i]);
+                out[i][0] = self.origin(quantity, grid, blend, &far[i], &near[i])?;
             }
         }
+        Ok(())
     }
 
     /// The bounded remainder at k = 0: its mean over a circle well inside the first cell.
@@ -371,23 +376,22 @@ impl GroundField<'_> {
         blend: f64,
         far: &Option<FarField>,
         near: &Option<FarField>,
-    ) -> Complex64 {
+    ) -> Result<Complex64, SoilError> {
         const POINTS: usize = 64;
         let k = 1e-3 * grid.x.beta_step().min(grid.y.beta_step());
         let fade = (-k * blend).exp();
         let base = match (far, self.profile.base()) {
-            (Some(_), Base::HalfSpace(material)) => Profile::new(Vec::new(), Base::HalfSpace(material)).ok(),
+            (Some(_), Base::HalfSpace(material)) => Some(half_space(material)?),
             _ => None,
         };
-        let top =
-            near.as_ref().and_then(|_| Profile::new(Vec::new(), Base::HalfSpace(*self.profile.top())).ok());
+        let top = near.as_ref().map(|_| half_space(*self.profile.top())).transpose()?;
         let sum: Complex64 = (0..POINTS)
-            .filter_map(|i| {
+            .map(|i| {
                 let (sin, cos) = (TAU * (i as f64 + 0.5) / POINTS as f64).sin_cos();
                 let omega = -k * cos * self.speed;
                 let at = |profile: &Profile| {
-                    let ground = self.solver.prepare(profile, omega, &[]).ok()?;
-                    Some(component(quantity, &ground.surface(k), cos, sin))
+                    let ground = self.solver.prepare(profile, omega, &[])?;
+                    Ok(component(quantity, &ground.surface(k), cos, sin))
                 };
                 let force = if cos >= 0.0 { self.force(k * cos) } else { self.force(-k * cos).conj() };
                 let mut value = force * self.across(k * sin) * at(self.profile)?;
@@ -398,10 +402,10 @@ impl GroundField<'_> {
                 if let Some(top) = &top {
                     value -= self.phases(k * cos) * (1.0 - fade) * at(top)?;
                 }
-                Some(if quantity == Quantity::VerticalVelocity { value * I * omega } else { value })
+                Ok(if quantity == Quantity::VerticalVelocity { value * I * omega } else { value })
             })
-            .sum();
-        sum / POINTS as f64
+            .sum::<Result<_, SoilError>>()?;
+        Ok(sum / POINTS as f64)
     }
 
     /// Adds the closed-form images of every axle.
@@ -476,21 +480,21 @@ impl GroundField<'_> {
     }
 
     /// (1/4π²)·2∬ beyond |β_y| = π/Δy of a spectrum falling like β_y⁻²: 2 β_N Σ |ũ(β_x, β_N)| Δβ_x, for both signs of β_x.
-    fn beyond(&self, quantity: Quantity, grid: &Grid) -> f64 {
-        let GroundLoad::Strip { half_width, .. } = self.load else { return 0.0 };
+    fn beyond(&self, quantity: Quantity, grid: &Grid) -> Result<f64, SoilError> {
+        let GroundLoad::Strip { half_width, .. } = self.load else { return Ok(0.0) };
         let beta_y = grid.y.beta_max();
         let sum: f64 = (0..grid.rows)
             .step_by((grid.rows / 64).max(1))
-            .filter_map(|n| {
+            .map(|n| {
                 let beta_x = grid.x.beta(n);
                 let k = beta_x.hypot(beta_y);
-                let ground = self.solver.prepare(self.profile, -beta_x * self.speed, &[]).ok()?;
+                let ground = self.solver.prepare(self.profile, -beta_x * self.speed, &[])?;
                 let g = component(quantity, &ground.surface(k), beta_x / k, beta_y / k).norm();
                 let rate = if quantity == Quantity::VerticalVelocity { beta_x * self.speed } else { 1.0 };
                 // sinc ~ 1/(β_y b), and its sign changes leave 1/(β_y b) of the integral
-                Some(self.force(beta_x).norm() * g * rate / (beta_y * half_width).powi(2))
+                Ok(self.force(beta_x).norm() * g * rate / (beta_y * half_width).powi(2))
             })
-            .sum();
-        4.0 * beta_y * sum * (grid.rows / 64).max(1) as f64 * grid.x.beta_step() / (4.0 * PI * PI)
+            .sum::<Result<_, SoilError>>()?;
+        Ok(4.0 * beta_y * sum * (grid.rows / 64).max(1) as f64 * grid.x.beta_step() / (4.0 * PI * PI))
     }
 }

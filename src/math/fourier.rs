@@ -77,14 +77,17 @@ pub fn fast_size(least: usize) -> usize {
 /// `row(n, out)` writes ũ(β_x, β_y) of β_x number `n` (0 ≤ n < `rows`) into `out[field]`, slices over all β_y numbers; rows from
 /// `rows` on are zero, and negative β_x follow from ũ(−β_x, −β_y) = conj ũ. Rows are filled in parallel; memory
 /// is fields × (rows × N_y complex + count real).
-pub fn inverse_2d(
+///
+/// # Errors
+/// The first one of `row`.
+pub fn inverse_2d<E: Send>(
     x: Axis,
     y: Axis,
     rows: usize,
     fields: usize,
     count: (usize, usize),
-    row: impl Fn(usize, &mut [Vec<Complex64>]) + Sync,
-) -> Vec<Array2<f64>> {
+    row: impl Fn(usize, &mut [Vec<Complex64>]) -> Result<(), E> + Sync,
+) -> Result<Vec<Array2<f64>>, E> {
     let (n_x, n_y) = (x.period_count, y.period_count);
     let rows = rows.min(n_x / 2 + 1);
     let (count_y, count_x) = (count.0.min(n_y), count.1.min(n_x));
@@ -97,7 +100,7 @@ pub fn inverse_2d(
         .into_par_iter()
         .map(|n| {
             let mut out = vec![vec![Complex64::ZERO; n_y]; fields];
-            row(n, &mut out);
+            row(n, &mut out)?;
             let shift_x = x.shift(n) * scale;
             for spectrum in &mut out {
                 for (value, shift) in spectrum.iter_mut().zip(&shift_y) {
@@ -107,10 +110,10 @@ pub fn inverse_2d(
                 spectrum.truncate(count_y);
                 spectrum.shrink_to_fit();
             }
-            out
+            Ok(out)
         })
-        .collect();
-    (0..fields)
+        .collect::<Result<_, E>>()?;
+    let fields = (0..fields)
         .map(|field| {
             let mut result = Array2::zeros((count_y, count_x));
             result.as_slice_mut().unwrap_or(&mut []).par_chunks_mut(count_x).enumerate().for_each_init(
@@ -130,7 +133,8 @@ pub fn inverse_2d(
             );
             result
         })
-        .collect()
+        .collect();
+    Ok(fields)
 }
 
 /// Harmonics g_n = (1/N) Σ g(θ_i) e^{−inθ_i} of N samples at θ_i = 2π(i + ½)/N: n = 0, 1, … and, from the end, n = −1, −2, …
@@ -168,7 +172,9 @@ mod tests {
                 *value = Complex64::cis(-beta_x)
                     * (PI * 2.0f64.sqrt() * (-0.5 * beta_x * beta_x - 0.25 * beta_y * beta_y).exp());
             }
-        });
+            Ok::<(), ()>(())
+        })
+        .unwrap();
         for ((j, i), value) in fields[0].indexed_iter() {
             let (x, y) = (-5.0 + 0.25 * i as f64, -3.0 + 0.2 * j as f64);
             assert!((value - (-0.5 * (x - 1.0).powi(2) - y * y).exp()).abs() < 1e-13);

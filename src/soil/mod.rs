@@ -113,6 +113,55 @@ pub enum Solver {
     ThinLayer(ThinLayer),
 }
 
+impl Solver {
+    /// Its name in case files, reports and attributes.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::DirectStiffness => "direct-stiffness",
+            Self::TransferMatrix => "transfer-matrix",
+            Self::Flexibility => "flexibility",
+            Self::ThinLayer(_) => "thin-layer",
+        }
+    }
+
+    /// What it does, in one sentence for a report.
+    pub fn method(&self) -> String {
+        match self {
+            Self::DirectStiffness => {
+                "Compliance of the ground by the direct stiffness method (exact layer matrices).".into()
+            }
+            Self::TransferMatrix => {
+                "Compliance of the ground by compound transfer matrices (exact, free of cancellation).".into()
+            }
+            Self::Flexibility => {
+                "Compliance of the ground by recursion on flexibilities (exact, waves up and down kept apart)."
+                    .into()
+            }
+            Self::ThinLayer(settings) => {
+                format!("Compliance of the ground by the thin-layer method ({}).", settings.text())
+            }
+        }
+    }
+
+    /// The same solver for wavenumbers up to `k_max` [rad/m] to `accuracy` of G, and with one set of sublayers for
+    /// frequencies from `band.0` to `band.1` [rad/s]; exact solvers serve them all.
+    #[must_use]
+    pub fn resolving(self, k_max: f64, accuracy: f64, band: Option<(f64, f64)>) -> Self {
+        match self {
+            Self::ThinLayer(settings) => {
+                let settings = settings.resolving(k_max, accuracy);
+                Self::ThinLayer(band.map_or(settings, |(low, high)| settings.for_frequencies(low, high)))
+            }
+            exact => exact,
+        }
+    }
+
+    /// True if modes at one frequency, dear to find, answer every wavenumber.
+    pub fn has_modes(&self) -> bool {
+        matches!(self, Self::ThinLayer(settings) if settings.has_modes())
+    }
+}
+
 /// Refuses depths on behalf of a solver of the surface alone.
 fn surface_only(solver: &'static str, depths: &[f64]) -> Result<(), SoilError> {
     match depths.iter().find(|z| **z != 0.0) {

@@ -97,7 +97,8 @@ impl Exponential {
             // a² − d² = 4ps and a d = p² − s²: the larger of the two divides
             let ps = p * s;
             odd1 = if 4.0 * ps.norm_sqr() > (a * d).norm_sqr() {
-                let (_, sinhc_a) = hyperbolic(a);
+                // of the same exponentials as even₂: where they turn often, even and odd must turn alike
+                let sinhc_a = (p * sinhc_p * cosh_s + s * sinhc_s * cosh_p) / a;
                 (sinhc_a - sinhc_d) / (4.0 * ps)
             } else {
                 0.5 * (cosh_p * sinhc_s - cosh_s * sinhc_p) / (a * d)
@@ -267,6 +268,8 @@ impl Waves {
 struct TransferMatrixAt {
     waves: Waves,
     negative: bool,
+    /// Prepared depths, all of them 0.
+    depths: usize,
     outline: Outline,
 }
 
@@ -281,6 +284,7 @@ impl GroundSolver for TransferMatrix {
         Ok(Box::new(TransferMatrixAt {
             waves: Waves::new(profile, omega.abs()),
             negative: omega < 0.0,
+            depths: depths.len(),
             outline: Outline::new(profile, omega),
         }))
     }
@@ -315,9 +319,8 @@ impl PreparedGround for TransferMatrixAt {
         if self.negative { g.conj() } else { g }
     }
 
-    fn at_depths(&self, _k: f64, _source: usize) -> Vec<Compliance> {
-        // none can have been prepared
-        Vec::new()
+    fn at_depths(&self, k: f64, _source: usize) -> Vec<Compliance> {
+        vec![self.surface(k).into(); self.depths]
     }
 
     fn outline(&self) -> &Outline {
@@ -387,8 +390,7 @@ pub fn haskell(profile: &Profile, omega: f64, k: f64) -> Result<SurfaceComplianc
     let error = error.fixed_view::<2, 2>(0, 0) * abs_inverse
         + abs_g * (error.fixed_view::<2, 2>(2, 0) * top.norm()) * abs_inverse;
     let relative = error.max() / abs_g.max();
-    // written so that NaN is refused
-    if !(relative <= ALLOWED) {
+    if relative.is_nan() || relative > ALLOWED {
         return Err(SoilError::DigitsLost { k, omega, error: relative, allowed: ALLOWED });
     }
     let (v, t, _) = waves.anti_plane(Complex64::from(k));

@@ -1,5 +1,6 @@
 //! One file per question an engineer asks.
 
+pub mod comparison;
 mod contour;
 mod critical_speed;
 mod equivalent_stiffness;
@@ -7,6 +8,7 @@ mod model;
 mod surface_compliance;
 mod track_response;
 
+pub use comparison::Comparison;
 pub use contour::Contour;
 pub use critical_speed::CriticalSpeed;
 pub use equivalent_stiffness::EquivalentStiffness;

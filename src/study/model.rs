@@ -98,6 +98,18 @@ impl Model {
         Ok(Self { support, contact, stack, train, foundation })
     }
 
+    /// The same track, train and profile with another `solver` of the ground; on springs nothing changes.
+    ///
+    /// # Errors
+    /// None that the model itself did not have.
+    pub fn with_solver(&self, solver: Solver) -> Result<Self, StudyError> {
+        let support = match &self.support {
+            Support::Ground(profile, _) => Support::Ground(profile.clone(), solver),
+            Support::Winkler(springs) => Support::Winkler(*springs),
+        };
+        Self::new(support, self.contact, self.stack.clone(), self.train.clone())
+    }
+
     /// What carries the track.
     pub fn support(&self) -> &Support {
         &self.support

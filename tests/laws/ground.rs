@@ -2,7 +2,7 @@
 
 use crate::draw::{Ground, Soil, ground, profile};
 use crate::{SOLVERS, Verdict, ask, report, within};
-use groundwave::soil::{Compliance, GroundSolver, PreparedGround, SurfaceCompliance};
+use groundwave::soil::{Compliance, GroundSolver, PreparedGround, SoilError, SurfaceCompliance};
 use nalgebra::{DMatrix, SymmetricEigen};
 use num_complex::Complex64;
 
@@ -28,8 +28,13 @@ pub fn inputs() -> impl proptest::strategy::Strategy<Value = Ground> {
 
 const I: Complex64 = Complex64::new(0.0, 1.0);
 
-fn at(solver: &dyn GroundSolver, ground: &Ground, omega: f64) -> Box<dyn PreparedGround> {
-    solver.prepare(&ground.profile(), omega, &ground.depths()).unwrap()
+/// Prepared for the ground's depths, or for the surface alone where the solver knows no other, and how many depths these are.
+fn at(solver: &dyn GroundSolver, ground: &Ground, omega: f64) -> (Box<dyn PreparedGround>, usize) {
+    let (profile, depths) = (ground.profile(), ground.depths());
+    match solver.prepare(&profile, omega, &depths) {
+        Err(SoilError::SurfaceOnly { .. }) => (solver.prepare(&profile, omega, &[0.0]).unwrap(), 1),
+        prepared => (prepared.unwrap(), depths.len()),
+    }
 }
 
 /// [[u_xx, u_xz], [u_zx, u_zz]]
@@ -37,12 +42,17 @@ fn in_plane(g: &Compliance) -> [[Complex64; 2]; 2] {
     [[g.u_xx, g.u_xz], [g.u_zx, g.u_zz]]
 }
 
+/// True if no component is NaN or infinite.
+pub fn finite_all(g: &Compliance) -> bool {
+    [g.u_xx, g.u_xz, g.u_zx, g.u_zz, g.u_yy].iter().all(|z| z.is_finite())
+}
+
 fn size(g: &Compliance) -> f64 {
     [g.u_xx, g.u_xz, g.u_zx, g.u_zz, g.u_yy].iter().map(|z| z.norm()).fold(0.0, f64::max)
 }
 
 /// Largest difference of any component, relative to the largest component.
-fn difference(a: &SurfaceCompliance, b: &SurfaceCompliance) -> f64 {
+pub fn difference(a: &SurfaceCompliance, b: &SurfaceCompliance) -> f64 {
     let (a, b) = (Compliance::from(*a), Compliance::from(*b));
     let gap = Compliance {
         u_zz: a.u_zz - b.u_zz,
@@ -59,8 +69,7 @@ fn difference(a: &SurfaceCompliance, b: &SurfaceCompliance) -> f64 {
 /// u_ij(z₁ ← z₂; k) = u_ji(z₂ ← z₁; −k), and u_xz, u_zx are odd in k:
 /// u_xx, u_zz and u_yy are symmetric, u_xz(z₁ ← z₂) = −u_zx(z₂ ← z₁). Relative to √(|G₁₁||G₂₂|).
 fn reciprocity(solver: &dyn GroundSolver, input: &Ground) -> Verdict {
-    let ground = at(solver, input, input.omega);
-    let n = input.depths().len();
+    let (ground, n) = at(solver, input, input.omega);
     let g: Vec<Vec<Compliance>> = (0..n).map(|source| ground.at_depths(input.k, source)).collect();
     let mut worst = 0.0f64;
     for i in 0..n {
@@ -80,7 +89,7 @@ fn reciprocity(solver: &dyn GroundSolver, input: &Ground) -> Verdict {
 
 /// G(−ω) = conj G(ω); u_xz and u_zx, odd in k, change their sign as well.
 fn conjugate(solver: &dyn GroundSolver, input: &Ground) -> Verdict {
-    let (plus, minus) = (at(solver, input, input.omega), at(solver, input, -input.omega));
+    let (plus, minus) = (at(solver, input, input.omega).0, at(solver, input, -input.omega).0);
     let mirrored = |g: SurfaceCompliance| SurfaceCompliance {
         u_zz: g.u_zz.conj(),
         u_xx: g.u_xx.conj(),
@@ -112,7 +121,7 @@ fn passivity_of_the_surface(solver: &dyn GroundSolver, input: &Ground) -> Verdic
     if input.omega == 0.0 {
         return Ok(0.0);
     }
-    let g = at(solver, input, input.omega).surface(input.k);
+    let g = at(solver, input, input.omega).0.surface(input.k);
     let matrix = DMatrix::from_row_slice(2, 2, &[g.u_xx, g.u_xz, -g.u_xz, g.u_zz]);
     let worst = within(indefiniteness(&matrix), ROUNDING, || "P–SV".into())?;
     within(g.u_zz.im / g.u_zz.norm(), ROUNDING, || "u_zz".into())?;
@@ -124,8 +133,7 @@ fn passivity_in_depth(solver: &dyn GroundSolver, input: &Ground) -> Verdict {
     if input.omega == 0.0 {
         return Ok(0.0);
     }
-    let ground = at(solver, input, input.omega);
-    let n = input.depths().len();
+    let (ground, n) = at(solver, input, input.omega);
     let mut p_sv = DMatrix::zeros(2 * n, 2 * n);
     let mut sh = DMatrix::zeros(n, n);
     for source in 0..n {
@@ -216,7 +224,7 @@ fn scaling(solver: &dyn GroundSolver, input: &Ground) -> Verdict {
 fn one_answer(solver: &dyn GroundSolver, input: &Ground) -> Verdict {
     let plain = solver.prepare(&input.profile(), input.omega, &[]).unwrap();
     let surface = plain.surface(input.k);
-    let of_depths = at(solver, input, input.omega).at_depths(input.k, 0)[0];
+    let of_depths = at(solver, input, input.omega).0.at_depths(input.k, 0)[0];
     let from_depths = SurfaceCompliance {
         u_zz: of_depths.u_zz,
         u_xx: of_depths.u_xx,
@@ -234,17 +242,15 @@ fn one_answer(solver: &dyn GroundSolver, input: &Ground) -> Verdict {
 /// Finite from k = 1e-6 (0 where that is no rigid motion of a half-space) to 1e4 and from ω = 0 to 1e4.
 fn finite(solver: &dyn GroundSolver, input: &Ground) -> Verdict {
     for omega in [0.0, 1e-6, 1e-2, 1.0, 100.0, 1e4] {
-        let ground = at(solver, input, omega);
+        let (ground, depths) = at(solver, input, omega);
         for k in [0.0, 1e-6, 1e-3, 0.1, 10.0, 1e4] {
             if k == 0.0 && omega == 0.0 && input.base.is_some() {
                 continue;
             }
             let surface = ground.surface(k);
-            let parts =
-                |g: &Compliance| [g.u_xx, g.u_xz, g.u_zx, g.u_zz, g.u_yy].iter().all(|z| z.is_finite());
-            let all = parts(&surface.into())
+            let all = finite_all(&surface.into())
                 && ground.u_zz(k).is_finite()
-                && (0..input.depths().len()).all(|source| ground.at_depths(k, source).iter().all(parts));
+                && (0..depths).all(|source| ground.at_depths(k, source).iter().all(finite_all));
             if !all {
                 return Err(format!("k = {k}, ω = {omega}: {surface:?}"));
             }

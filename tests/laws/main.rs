@@ -4,6 +4,7 @@
 //! catches a model that breaks it. A new `Solver` variant enters `SOLVERS` and inherits every law.
 //! `PROPTEST_CASES=5000 cargo test --release --test laws -- --nocapture` draws more and prints the worst value of each.
 
+mod agreement;
 mod draw;
 mod ground;
 mod moving;
@@ -18,7 +19,7 @@ use std::cell::Cell;
 use std::fmt::Debug;
 
 /// Every registered solver.
-pub const SOLVERS: &[Solver] = &[Solver::DirectStiffness];
+pub const SOLVERS: &[Solver] = &[Solver::DirectStiffness, Solver::TransferMatrix, Solver::Flexibility];
 
 /// The measured error (0 is perfect), or what is wrong.
 pub type Verdict = Result<f64, String>;

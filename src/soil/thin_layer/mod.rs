@@ -135,6 +135,11 @@ impl ThinLayer {
         Self { frequencies: Some((low, high)), ..self }
     }
 
+    /// False where the exact half-space leaves none.
+    pub fn has_modes(&self) -> bool {
+        self.below == BelowLayers::Matched
+    }
+
     /// The settings, in words.
     pub fn text(&self) -> String {
         let element = match self.element {
