@@ -140,8 +140,15 @@ fn undamped(
         SurfaceWave::Rayleigh => profile.slowest_rayleigh_speed(),
         SurfaceWave::Love => profile.materials().map(|m| m.c_s()).fold(f64::INFINITY, f64::min),
     };
-    // a little beyond the slowest wave there is, to which modes of a soft top layer converge
-    let highest = omega / slowest * (1.0 + 1e-6);
+    // a little beyond the slowest wave of any one material, to which modes of a soft top layer converge; a heavy layer on
+    // light ground is slower still
+    let mut highest = omega / slowest * (1.0 + 1e-6);
+    for _ in 0..100 {
+        if staircase(waves, wave, highest) == 0 {
+            break;
+        }
+        highest *= 1.05;
+    }
     let lowest = match waves.half_space {
         Some(half_space) => half_space.ks2.re.sqrt() * (1.0 + 1e-12),
         None => 1e-6 * highest,
@@ -153,7 +160,7 @@ fn undamped(
     }
     // on rock waves may run backward, and the count rises before it falls
     let at = |i: usize| lowest + (highest - lowest) * i as f64 / SCAN as f64;
-    let (mut high, mut count_high) = (highest, staircase(waves, wave, highest));
+    let (mut high, mut count_high) = (highest, 0_usize);
     for i in (0..SCAN).rev() {
         let (low, count_low) = (at(i), if i == 0 { total } else { staircase(waves, wave, at(i)) });
         isolate(waves, wave, (low, count_low), (high, count_high), &mut roots);
@@ -198,9 +205,12 @@ fn isolate(waves: &Waves, wave: SurfaceWave, low: (f64, usize), high: (f64, usiz
 
 /// dk/dω = −F_ω/F_k by five-point differences.
 fn slowness(profile: &Profile, wave: SurfaceWave, omega: f64, k: Complex64) -> Complex64 {
-    // F varies as e^{2kH} at most
-    let step = 2e-3 / (1.0 + 2.0 * k.norm() * profile.depth());
     let here = Waves::new(profile, omega);
+    // F varies as e^{2kH} at most, and as √(k² − k_s²) near the cut-off, where modes escape into the half-space
+    let mut step = 2e-3 / (1.0 + 2.0 * k.norm() * profile.depth());
+    if let Some(half_space) = &here.half_space {
+        step = step.min(0.02 * (1.0 - half_space.ks2.sqrt() / k).norm());
+    }
     let reference = match wave {
         SurfaceWave::Rayleigh => here.rayleigh(k).1,
         SurfaceWave::Love => here.love(k).1,

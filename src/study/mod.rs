@@ -2,6 +2,7 @@
 
 mod contour;
 mod critical_speed;
+mod dispersion;
 mod equivalent_stiffness;
 mod model;
 mod surface_compliance;
@@ -9,6 +10,7 @@ mod track_response;
 
 pub use contour::Contour;
 pub use critical_speed::CriticalSpeed;
+pub use dispersion::Dispersion;
 pub use equivalent_stiffness::EquivalentStiffness;
 pub use model::{Contact, Model, Support};
 pub use surface_compliance::SurfaceComplianceTable;
@@ -63,6 +65,8 @@ pub struct Outcome {
 pub enum Study {
     /// At which speed does the track move most?
     CriticalSpeed(CriticalSpeed),
+    /// Which waves travel along the ground and along the track by themselves?
+    Dispersion(Dispersion),
     /// What shape has the rail?
     TrackResponse(TrackResponse),
     /// What does the ground around the train do?
@@ -78,6 +82,7 @@ impl Study {
     pub fn name(&self) -> &'static str {
         match self {
             Self::CriticalSpeed(_) => "critical_speed",
+            Self::Dispersion(_) => "dispersion",
             Self::TrackResponse(_) => "track_response",
             Self::Contour(_) => "contour",
             Self::EquivalentStiffness(_) => "equivalent_stiffness",
@@ -92,6 +97,7 @@ impl Study {
     pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
         match self {
             Self::CriticalSpeed(study) => study.run(model, observer),
+            Self::Dispersion(study) => study.run(model, observer),
             Self::TrackResponse(study) => study.run(model, observer),
             Self::Contour(study) => study.run(model, observer),
             Self::EquivalentStiffness(study) => study.run(model, observer),
@@ -124,6 +130,7 @@ impl Study {
                 let omega = std::f64::consts::TAU * study.frequencies.iter().copied().fold(0.0, f64::max);
                 model.check_damping(study.beta.iter().map(|beta| omega / beta))
             }
+            Self::Dispersion(_) => model.ground("dispersion").map(|_| ()),
             Self::SurfaceCompliance(_) => model.ground("surface_compliance").map(|_| ()),
         }
     }
