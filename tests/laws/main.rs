@@ -4,6 +4,7 @@
 //! catches a model that breaks it. A new `Solver` variant enters `SOLVERS` and inherits every law.
 //! `PROPTEST_CASES=5000 cargo test --release --test laws -- --nocapture` draws more and prints the worst value of each.
 
+mod dispersion;
 mod draw;
 mod ground;
 mod moving;
