@@ -16,7 +16,7 @@
 //! | 2 | [`foundation`] | what a track stands on: k(β, ω), of springs or of layered ground |
 //! | 2 | [`output`] | HDF5, CSV, JSON, pictures, report |
 //! | 3 | [`interaction`] | a track on a foundation under moving loads; the field in the ground |
-//! | 4 | [`study`] | one file per question: critical speed, track response, contour, tables |
+//! | 4 | [`study`] | one file per question: critical speed, dispersion, track response, contour, tables |
 //! | 5 | [`case`](mod@case) | case files, their checks, the library of parameter sets, the runner |
 //!
 //! # Symbols

@@ -240,11 +240,14 @@ fn contour(input: &ContourInput) -> Result<Contour, Finding> {
     })
 }
 
+/// Beyond, layers are thousands of wavelengths thick.
+const AUDIBLE: (fn(f64) -> bool, &str) = (|f| f > 0.0 && f <= 1e4, "above zero and at most 10 kHz");
+
 /// Most modes a case may ask for.
 const MOST_MODES: usize = 20;
 
 fn dispersion(input: &DispersionInput) -> Result<Dispersion, Finding> {
-    let frequencies = numbers(&input.frequencies, "dispersion.frequencies", "Hz", POSITIVE)?;
+    let frequencies = numbers(&input.frequencies, "dispersion.frequencies", "Hz", AUDIBLE)?;
     ascending(&frequencies, "dispersion.frequencies")?;
     let modes = input.modes.unwrap_or(3);
     if !(1..=MOST_MODES).contains(&modes) {

@@ -244,8 +244,10 @@ pub fn modes(profile: &Profile, wave: SurfaceWave, omega: f64, wanted: usize) ->
     let (roots, count) = undamped(&waves, &elastic, wave, omega, wanted);
     let mut found: Vec<Option<Complex64>> = roots.iter().map(|k| Some(Complex64::from(*k))).collect();
     if !profile.is_undamped() {
-        for slot in &mut found {
-            *slot = slot.and_then(|k| follow(profile, wave, omega, k, (0.0, 1.0)));
+        for (i, slot) in found.iter_mut().enumerate() {
+            let beside = [i.wrapping_sub(1), i + 1].into_iter().filter_map(|j| roots.get(j));
+            let gap = beside.map(|other| (other - roots[i]).abs()).fold(f64::INFINITY, f64::min);
+            *slot = slot.and_then(|k| follow(profile, wave, omega, (k, gap), (0.0, 1.0)));
         }
         for i in 0..found.len() {
             let Some(k) = found[i] else { continue };
@@ -273,13 +275,13 @@ pub fn modes(profile: &Profile, wave: SurfaceWave, omega: f64, wanted: usize) ->
     Modes { modes: found.into_iter().map(|k| k.and_then(mode)).collect(), count }
 }
 
-/// The root that continues `k` while the damping grows from a share `from` of it to `to`, in one step or, where the root
-/// is not where its slope leads, in two halves.
+/// The root that continues `k`, `gap` away from the next, while the damping grows from a share `from` of it to `to`: in
+/// one step or, where the root is not where its slope leads, in two halves.
 fn follow(
     profile: &Profile,
     wave: SurfaceWave,
     omega: f64,
-    k: Complex64,
+    (k, gap): (Complex64, f64),
     (from, to): (f64, f64),
 ) -> Option<Complex64> {
     let waves = |share: f64| Waves::new(&profile.with_loss_times(share), omega);
@@ -296,7 +298,8 @@ fn follow(
     let shift = -by_share / by_k;
     let there = waves(to);
     let root = root::complex(|k| secular(&there, wave, k, reference), k + shift, 1e-12);
-    let near = |root: &Complex64| (root - k - shift).norm() <= 0.2 * shift.norm() + 1e-9 * k.norm();
+    let allowed = (0.2 * shift.norm()).min(0.2 * gap) + 1e-9 * k.norm();
+    let near = |root: &Complex64| (root - k - shift).norm() <= allowed;
     if let Some(root) = root.filter(near) {
         return Some(root);
     }
@@ -304,6 +307,6 @@ fn follow(
         return None;
     }
     let middle = 0.5 * (from + to);
-    let half = follow(profile, wave, omega, k, (from, middle))?;
-    follow(profile, wave, omega, half, (middle, to))
+    let half = follow(profile, wave, omega, (k, gap), (from, middle))?;
+    follow(profile, wave, omega, (half, gap), (middle, to))
 }
