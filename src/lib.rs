@@ -10,7 +10,7 @@
 //! |---|---|---|
 //! | 0 | [`math`] | quadrature, Fourier transforms with their signs and scales, interpolation, maxima |
 //! | 0 | [`concern`], [`dataset`], [`figure`], [`progress`] | what studies hand on: doubts, arrays, pictures, progress |
-//! | 1 | [`soil`] | material → profile → compliance G(k, ω); the integral over a loaded strip |
+//! | 1 | [`soil`] | material → profile → compliance G(k, ω); the integral over a loaded strip; surface waves |
 //! | 1 | [`track`] | members (beams, masses) and links (springs, bars) in a vertical stack |
 //! | 1 | [`vehicle`] | axle loads |
 //! | 2 | [`foundation`] | what a track stands on: k(β, ω), of springs or of layered ground |

@@ -14,8 +14,9 @@ pub fn bracketed(mut f: impl FnMut(f64) -> f64, a: f64, b: f64, relative: f64) -
     if f_b == 0.0 {
         return Some(b);
     }
-    // written so that NaN is refused
-    if !(f_a * f_b.signum() < 0.0) {
+    // false for NaN
+    let changes = f_a * f_b.signum() < 0.0;
+    if !changes {
         return None;
     }
     for step in 0..200 {

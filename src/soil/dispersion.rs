@@ -4,7 +4,7 @@
 //! has as many negative pivots as there are modes of lower frequency (Wittrick & Williams 1971), once every layer is cut so
 //! thin that it cannot vibrate between fixed faces: its lowest such frequency is at least c_s √(k² + π²/h²). The count
 //! is a staircase in k whose steps bracket the roots one by one; a root of the compound matrix, which shares
-//! nothing with the count, is then found in each bracket. Damped modes are followed from the undamped ones.
+//! nothing with the count, is then found in each bracket. Damped modes are followed from the undamped ones along their slope.
 //!
 //! Trapped modes only: slower than shear waves in the half-space. Faster, leaky ones lose energy downward and are left out.
 
@@ -236,8 +236,8 @@ fn loss(profile: &Profile) -> f64 {
 /// The `wanted` slowest trapped modes at `omega` > 0 [rad/s].
 ///
 /// Damped modes continue the undamped ones as damping is turned on; one that cannot be followed or meets another is None.
-/// A mode so close to its cut-off, within the loss factor, that damping makes it leaky is left out. Accuracy: 1e-9 of k against the papers' tables where they have the digits; group velocity 1e-7
-/// (tests `papers::dispersion`, `analytic::rayleigh`).
+/// A mode so close to its cut-off, within the loss factor, that damping makes it leaky is left out. Accuracy: 2e-9 of k against the papers' tables where they have the digits, 1e-14 against closed forms; group velocity
+/// 7e-9 (tests `papers::dispersion`, `papers::mezher`, `analytic::dispersion`).
 pub fn modes(profile: &Profile, wave: SurfaceWave, omega: f64, wanted: usize) -> Modes {
     let elastic = profile.with_loss_times(0.0);
     let waves = Waves::new(&elastic, omega);

@@ -388,7 +388,8 @@ pub fn haskell(profile: &Profile, omega: f64, k: f64) -> Result<SurfaceComplianc
         + abs_g * (error.fixed_view::<2, 2>(2, 0) * top.norm()) * abs_inverse;
     let relative = error.max() / abs_g.max();
     // written so that NaN is refused
-    if !(relative <= ALLOWED) {
+    let enough = relative <= ALLOWED;
+    if !enough {
         return Err(SoilError::DigitsLost { k, omega, error: relative, allowed: ALLOWED });
     }
     let (v, t, _) = waves.anti_plane(Complex64::from(k));

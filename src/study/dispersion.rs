@@ -60,8 +60,8 @@ impl Dispersion {
     /// Phase velocity, group velocity and attenuation of the slowest trapped modes (frequency, mode) of the ground with its
     /// damping; phase velocity of the free undamped track; their crossing, both undamped, refined to 1e-9.
     ///
-    /// Accuracy: that of [`modes`] and [`Stack::free_wave`]; published curves and crossings to 4e-6 (test
-    /// `papers::mezher`).
+    /// Accuracy: that of [`modes`] and [`Stack::free_wave`]; published curves to 5e-9, crossings to 1e-7, all the
+    /// digits printed (test `papers::mezher`).
     ///
     /// # Errors
     /// A model on springs.
@@ -219,7 +219,7 @@ impl Dispersion {
             concerns.push(Concern::new(
                 "no-trapped-mode",
                 format!("the ground has no trapped mode at {where_}: its waves lose energy downward (leaky)"),
-                "stiff ground over soft, or a rigid base below its first resonance; leaky waves show in the map only",
+                "so it is with stiff ground over soft, and with a layer on rock below its first resonance: read leaky waves from the map, or ask for other frequencies",
             ));
         }
         if let Some(where_) = at(&|g| g.modes.iter().any(Option::is_none)) {
