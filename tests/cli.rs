@@ -444,7 +444,7 @@ fn dispersion_curves_stand_beside_the_full_answer() {
         serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
     let crossing = summary["dispersion"]["crossing_speed"].as_f64().unwrap();
     let critical = summary["critical_speed"]["critical_speed"].as_f64().unwrap();
-    // measured CROSSED
+    // measured 167.0 against 180.0 m/s, the end of the range
     assert!((crossing / critical - 1.0).abs() < 0.2, "{crossing} {critical}");
     let report = std::fs::read_to_string(out.join("report.html")).unwrap();
     for text in ["Critical speed", "an estimate", &format!("{crossing:.1} m/s")] {
@@ -464,7 +464,7 @@ fn dispersion_curves_stand_beside_the_full_answer() {
     );
     // stiff ground over soft keeps no wave near the surface
 
-    let case = CASE.replace("young = 200e6", "young = 5e6").replace(asked, &soft);
+    let case = CASE.replace("young = 200e6", "young = 5e6").replace(asked, frequencies);
     let (folder, _) = folder_with(&case);
     let output = groundwave(&["run", "case.toml", "--out", "out"], folder.path());
     assert!(String::from_utf8_lossy(&output.stdout).contains("no-trapped-mode"), "{}", err(&output));

@@ -7,8 +7,8 @@ use groundwave::soil::dispersion::{SurfaceWave, count, modes};
 const WAVES: [SurfaceWave; 2] = [SurfaceWave::Rayleigh, SurfaceWave::Love];
 /// Modes asked for.
 const WANTED: usize = 8;
-/// Damped modes of a ground that may be lost; measured LOSTN.
-const LOST: f64 = 2.0;
+/// Damped modes of a ground that may be lost; measured 1 over 2000 grounds, 0 over the 300 drawn here.
+const LOST: f64 = 1.0;
 
 fn inputs() -> impl proptest::strategy::Strategy<Value = Ground> {
     ground((1e-2, 1e2), (1.0, 2e3))
@@ -43,7 +43,7 @@ fn as_many_as_counted(ground: &Ground) -> Verdict {
     within(worst, 2e-11, || format!("{ground:?}"))
 }
 
-/// Damped modes are not more than the undamped ones, decay, and of few and lightly damped ones hardly one is lost.
+/// Damped modes are not more than the undamped ones, decay, and of few and lightly damped ones hardly any is lost.
 fn damped(ground: &Ground) -> Verdict {
     let (profile, omega) = (ground.profile(), omega(ground));
     let light = profile.materials().all(|m| m.loss_factor().max(m.loss_factor_pressure()) <= 0.1);
