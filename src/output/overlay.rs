@@ -129,8 +129,8 @@ mod tests {
             stroke: Stroke::Solid,
         };
         let (x, y) = ((0.0, 10.0), (0.0, 1.0));
-        let rising = line(&[0.0, 5.0, 10.0], &[-1.0, 0.5, 2.0]);
-        assert_eq!(cut(&rising, x, y), [[(10.0 / 3.0, 0.0), (5.0, 0.5), (20.0 / 3.0, 1.0)]]);
+        let rising = line(&[0.0, 4.0, 8.0], &[-0.5, 0.5, 1.5]);
+        assert_eq!(cut(&rising, x, y), [[(2.0, 0.0), (4.0, 0.5), (6.0, 1.0)]]);
         assert!(cut(&line(&[0.0, 10.0], &[2.0, 2.0]), x, y).is_empty());
         let broken = line(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], &[0.5, f64::NAN, 0.5, 0.5, f64::NAN, 0.2]);
         assert_eq!(cut(&broken, x, y), [vec![(0.0, 0.5)], vec![(2.0, 0.5), (3.0, 0.5)], vec![(5.0, 0.2)]]);
