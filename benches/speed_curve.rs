@@ -5,7 +5,7 @@ mod common;
 
 use divan::{Bencher, black_box};
 use groundwave::progress::Silent;
-use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Solver, Strip};
+use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Solver, Strip, ThinLayer};
 use groundwave::study::{Contact, CriticalSpeed, Model, Support};
 use groundwave::vehicle::{Axle, Train};
 
@@ -13,9 +13,9 @@ fn main() {
     divan::main();
 }
 
-fn model(axles: usize) -> Model {
+fn model(axles: usize, solver: Solver) -> Model {
     let strip = Strip { half_width: 1.25, compatibility: Compatibility::Centre };
-    let support = Support::Ground(common::named("paper_layered"), Solver::DirectStiffness);
+    let support = Support::Ground(common::named("paper_layered"), solver);
     let axles = (0..axles).map(|i| Axle { position: 2.9 * i as f64, load: 150e3 }).collect();
     Model::new(support, Contact::Strip(strip), common::tracks::ballasted(), Some(Train::new(axles).unwrap()))
         .unwrap()
@@ -33,7 +33,17 @@ fn baseline_u_zz_1e6(bencher: Bencher) {
 /// 100 speeds from 10 to 208 m/s with static limit and refined maximum, all threads.
 #[divan::bench(args = [1, 20], sample_count = 5)]
 fn hundred_speeds(bencher: Bencher, axles: usize) {
-    let model = model(axles);
+    let model = model(axles, Solver::DirectStiffness);
     let study = CriticalSpeed { speeds: (0..100).map(|i| 10.0 + 2.0 * f64::from(i)).collect() };
     bencher.bench(|| study.run(&model, &Silent).unwrap());
+}
+
+/// The same for one axle with modes of thin layers instead of quadrature.
+#[divan::bench(sample_count = 5)]
+fn hundred_speeds_from_modes(bencher: Bencher) {
+    let study = CriticalSpeed { speeds: (0..100).map(|i| 10.0 + 2.0 * f64::from(i)).collect() };
+    // a new model each time: modes are kept
+    bencher
+        .with_inputs(|| model(1, Solver::ThinLayer(ThinLayer::default())))
+        .bench_refs(|model| study.run(model, &Silent).unwrap());
 }

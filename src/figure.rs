@@ -83,6 +83,8 @@ pub struct MapFigure {
     pub symmetric: bool,
     /// Equal scales on both axes.
     pub equal_axes: bool,
+    /// Curves over the field, named in a legend below it.
+    pub overlay: Vec<Series>,
 }
 
 /// Anything a study may ask for.

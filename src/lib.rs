@@ -10,13 +10,13 @@
 //! |---|---|---|
 //! | 0 | [`math`] | quadrature, Fourier transforms with their signs and scales, interpolation, maxima |
 //! | 0 | [`concern`], [`dataset`], [`figure`], [`progress`] | what studies hand on: doubts, arrays, pictures, progress |
-//! | 1 | [`soil`] | material → profile → compliance G(k, ω); the integral over a loaded strip |
+//! | 1 | [`soil`] | material → profile → compliance G(k, ω); the integral over a loaded strip; surface waves |
 //! | 1 | [`track`] | members (beams, masses) and links (springs, bars) in a vertical stack |
 //! | 1 | [`vehicle`] | axle loads |
 //! | 2 | [`foundation`] | what a track stands on: k(β, ω), of springs or of layered ground |
 //! | 2 | [`output`] | HDF5, CSV, JSON, pictures, report |
 //! | 3 | [`interaction`] | a track on a foundation under moving loads; the field in the ground |
-//! | 4 | [`study`] | one file per question: critical speed, track response, contour, tables |
+//! | 4 | [`study`] | one file per question: critical speed, dispersion, track response, contour, tables |
 //! | 5 | [`case`](mod@case) | case files, their checks, the library of parameter sets, the runner |
 //!
 //! # Symbols

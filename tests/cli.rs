@@ -110,6 +110,8 @@ fn bad_input_is_refused_in_one_message() {
     let mut point_case = CASE.replace(asked, "[critical_speed]\nspeeds = [10.0, 20.0, 30.0]");
     let (a, b) = (point_case.find("[track]").unwrap(), point_case.find("[train]").unwrap());
     point_case.replace_range(a..b + "[train]".len(), point);
+    let springs = "title = \"x\"\n[foundation]\nkind = \"winkler\"\nstiffness = 1e8\n[track]\nkind = \"beam\"\n\
+                   beam.bending_stiffness = 1e8\nbeam.mass = 2e3\n[dispersion]\nfrequencies = [10.0]\n";
     let cases: Vec<(&str, Result<(), String>)> = vec![
         (
             "unknown key",
@@ -216,6 +218,50 @@ fn bad_input_is_refused_in_one_message() {
                 &critical("[50.0, 100.0, 200.0]"),
                 &["case.toml", "critical_speed", "no damping", "0.001"],
             ),
+        ),
+        (
+            "descending frequencies",
+            refused(
+                asked,
+                "[dispersion]\nfrequencies = [10.0, 30.0, 20.0]",
+                &["case.toml:24", "dispersion.frequencies[2]", "must ascend"],
+            ),
+        ),
+        (
+            "frequency zero",
+            refused(
+                asked,
+                "[dispersion]\nfrequencies = { from = 0.0, to = 20.0, step = 1.0 }",
+                &["case.toml:24", "dispersion.frequencies", "found 0 Hz", "above zero"],
+            ),
+        ),
+        (
+            "kilohertz",
+            refused(
+                asked,
+                "[dispersion]\nfrequencies = [2e4]",
+                &["dispersion.frequencies[0]", "20000 Hz", "10 kHz"],
+            ),
+        ),
+        (
+            "no modes",
+            refused(
+                asked,
+                "[dispersion]\nfrequencies = [10.0]\nmodes = 0",
+                &["case.toml:25", "dispersion.modes", "between 1 and 20"],
+            ),
+        ),
+        (
+            "unknown wave",
+            refused(
+                asked,
+                "[dispersion]\nfrequencies = [10.0]\nwave = \"stoneley\"",
+                &["case.toml:25", "stoneley", "rayleigh", "love"],
+            ),
+        ),
+        (
+            "dispersion of springs",
+            refused_case(springs, &["case.toml", "dispersion", "layered ground", "[soil]"]),
         ),
         ("point load", refused_case(&point_case, &["case.toml", "critical_speed", "point load", "patch"])),
         (
@@ -493,6 +539,48 @@ fn the_template_runs() {
     let summary: serde_json::Value =
         serde_json::from_slice(&std::fs::read(folder.path().join("out/summary.json")).unwrap()).unwrap();
     assert!(summary["critical_speed"]["critical_speed"].as_f64().unwrap() > 90.0);
+}
+
+#[test]
+fn dispersion_curves_stand_beside_the_full_answer() {
+    let asked = "[track_response]\nspeeds = [50.0, \"250 km/h\"]";
+    let run = |studies: &str| {
+        let (folder, _) = folder_with(&CASE.replace(asked, studies));
+        let output = groundwave(&["run", "case.toml", "--out", "out"], folder.path());
+        assert_eq!(code(&output), 0, "{}", err(&output));
+        (folder, String::from_utf8_lossy(&output.stdout).into_owned())
+    };
+    let frequencies = "[dispersion]\nfrequencies = { from = 5.0, to = 80.0, step = 5.0 }";
+    let (folder, said) = run(&format!("[critical_speed]\nspeeds = [120.0, 150.0, 180.0]\n{frequencies}"));
+    let out = folder.path().join("out");
+    let summary: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(out.join("summary.json")).unwrap()).unwrap();
+    let crossing = summary["dispersion"]["crossing_speed"].as_f64().unwrap();
+    let critical = summary["critical_speed"]["critical_speed"].as_f64().unwrap();
+    // measured 167.0 against 180.0 m/s, the end of the range
+    assert!((crossing / critical - 1.0).abs() < 0.2, "{crossing} {critical}");
+    let report = std::fs::read_to_string(out.join("report.html")).unwrap();
+    for text in ["Critical speed", "an estimate", &format!("{crossing:.1} m/s")] {
+        assert!(said.contains(text) && report.contains(text), "{text}: {said}");
+    }
+    // what is not there is masked, never NaN
+    let table = std::fs::read_to_string(out.join("dispersion_frequency_mode.csv")).unwrap();
+    assert!(
+        table.contains("\n5,0,1,") && table.contains("\n5,2,0,0,0,0\n") && !table.contains("NaN"),
+        "{table}"
+    );
+    // waves across know no track; a single frequency has no map
+    let (folder, _) = run("[dispersion]\nfrequencies = [40.0]\nmodes = 1\nwave = \"love\"");
+    let names = names_in(&folder.path().join("out"));
+    assert!(
+        names.contains(&"group_velocity.png".to_owned()) && !names.contains(&"dispersion.png".to_owned())
+    );
+    // stiff ground over soft keeps no wave near the surface
+
+    let case = CASE.replace("young = 200e6", "young = 5e6").replace(asked, frequencies);
+    let (folder, _) = folder_with(&case);
+    let output = groundwave(&["run", "case.toml", "--out", "out"], folder.path());
+    assert!(String::from_utf8_lossy(&output.stdout).contains("no-trapped-mode"), "{}", err(&output));
 }
 
 #[test]

@@ -22,6 +22,8 @@ pub struct CaseInput {
     pub train: Option<Named<TrainInput>>,
     /// Largest rail deflections against speed.
     pub critical_speed: Option<CriticalSpeedInput>,
+    /// Waves that travel along the ground and along the track by themselves.
+    pub dispersion: Option<DispersionInput>,
     /// Rail and ground shapes at given speeds.
     pub track_response: Option<TrackResponseInput>,
     /// Maps of the ground's surface.
@@ -364,6 +366,28 @@ pub struct AxleInput {
 pub struct CriticalSpeedInput {
     /// v, ascending.
     pub speeds: Range<Speed>,
+}
+
+/// `[dispersion]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DispersionInput {
+    /// f [Hz], above zero, ascending.
+    pub frequencies: Range<f64>,
+    /// How many modes, the slowest first; 3 by default.
+    pub modes: Option<usize>,
+    /// Which waves; Rayleigh by default.
+    pub wave: Option<WaveInput>,
+}
+
+/// `dispersion.wave`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum WaveInput {
+    /// Vertical and along the direction of travel.
+    Rayleigh,
+    /// Across the direction of travel.
+    Love,
 }
 
 /// `[track_response]`

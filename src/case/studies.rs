@@ -1,12 +1,16 @@
 //! Study tables → studies, with every fault at its key.
 
 use super::error::Finding;
-use super::schema::{CaseInput, ContourInput, MeasuredInput, QuantityInput, SpanInput, TrackResponseInput};
+use super::schema::{
+    CaseInput, ContourInput, DispersionInput, MeasuredInput, QuantityInput, SpanInput, TrackResponseInput,
+    WaveInput,
+};
 use super::values::{Range, Speed};
 use crate::interaction::{Quantity, Window};
+use crate::soil::dispersion::SurfaceWave;
 use crate::study::{
-    Contour, CriticalSpeed, EquivalentStiffness, Record, Study, SurfaceComplianceTable, TrackResponse,
-    same_speed, tag,
+    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, Record, Study, SurfaceComplianceTable,
+    TrackResponse, same_speed, tag,
 };
 
 /// Farthest position a study may ask for [m].
@@ -236,6 +240,27 @@ fn contour(input: &ContourInput) -> Result<Contour, Finding> {
     })
 }
 
+/// Beyond, layers are thousands of wavelengths thick.
+const AUDIBLE: (fn(f64) -> bool, &str) = (|f| f > 0.0 && f <= 1e4, "above zero and at most 10 kHz");
+
+/// Most modes a case may ask for.
+const MOST_MODES: usize = 20;
+
+fn dispersion(input: &DispersionInput) -> Result<Dispersion, Finding> {
+    let frequencies = numbers(&input.frequencies, "dispersion.frequencies", "Hz", AUDIBLE)?;
+    ascending(&frequencies, "dispersion.frequencies")?;
+    let modes = input.modes.unwrap_or(3);
+    if !(1..=MOST_MODES).contains(&modes) {
+        let message = format!("modes is {modes}: it must lie between 1 and {MOST_MODES}");
+        return Err(Finding::new("dispersion.modes", message));
+    }
+    let wave = match input.wave {
+        None | Some(WaveInput::Rayleigh) => SurfaceWave::Rayleigh,
+        Some(WaveInput::Love) => SurfaceWave::Love,
+    };
+    Ok(Dispersion { frequencies, modes, wave })
+}
+
 /// The studies a case asks for, in the order of this list.
 pub fn studies(
     input: &CaseInput,
@@ -246,6 +271,9 @@ pub fn studies(
         let values = speeds(&study.speeds, "critical_speed.speeds")?;
         ascending(&values, "critical_speed.speeds")?;
         studies.push(Study::CriticalSpeed(CriticalSpeed { speeds: values }));
+    }
+    if let Some(study) = &input.dispersion {
+        studies.push(Study::Dispersion(dispersion(study)?));
     }
     if let Some(study) = &input.track_response {
         studies.push(Study::TrackResponse(track_response(study, files)?));
@@ -267,7 +295,7 @@ pub fn studies(
     }
     if studies.is_empty() {
         return Err(Finding::new("", "the case asks for nothing").help(
-            "add at least one of [critical_speed], [track_response], [contour], [equivalent_stiffness], [surface_compliance]",
+            "add at least one of [critical_speed], [dispersion], [track_response], [contour], [equivalent_stiffness], [surface_compliance]",
         ));
     }
     Ok(studies)

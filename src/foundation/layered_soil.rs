@@ -11,8 +11,8 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 /// Accuracy of G from thin layers under a moving load; speed curves agree with those of exact solvers to a tenth of that
 /// of the publication they are compared with (test `cross_solver::thin_layer`).
 const MOVING_ACCURACY: f64 = 1e-4;
-/// Width in ln ω of the pieces on which one set of thin layers serves.
-const PIECE: f64 = 1.0;
+/// Ends, as ln(ω b/c_s), of the pieces on which one set of thin layers serves; half a unit wide from there on.
+const ENDS: [f64; 7] = [-30.0, -13.0, -7.0, -4.0, -3.0, -2.0, -1.5];
 
 /// Grounds that were dear to prepare, by frequency, largest wavenumber and accuracy.
 type Prepared = HashMap<(u64, u64, u64), Arc<OnceLock<Result<Arc<dyn PreparedGround>, SoilError>>>>;
@@ -88,6 +88,23 @@ impl LayeredSoil {
         cell.get_or_init(prepare).clone()
     }
 
+    /// Ends in ln ω of the pieces that cover ln ω from `low` to `high`: the same ones whatever the speed.
+    fn pieces(&self, low: f64, high: f64) -> Vec<f64> {
+        let unit = (self.profile.top().c_s() / self.strip.half_width).ln();
+        let finer = (1..).map(|i| ENDS[ENDS.len() - 1] + 0.5 * f64::from(i));
+        let mut ends: Vec<f64> = Vec::new();
+        for end in ENDS.into_iter().chain(finer).map(|end| end + unit) {
+            if end <= low {
+                ends.clear();
+            }
+            ends.push(end);
+            if end >= high {
+                break;
+            }
+        }
+        ends
+    }
+
     /// Largest wavenumber thin layers must resolve [rad/m]: what is above changes the mean over the strip by `accuracy`,
     /// and (k b)⁻² of it (tests `cross_solver::thin_layer`); and twice `beta`.
     fn k_max(&self, beta: f64, accuracy: f64) -> f64 {
@@ -141,6 +158,15 @@ impl Foundation for LayeredSoil {
         // x = ln β + shift, ln |ω| where modes are shared
         let shared = self.solver.has_modes() && speed != 0.0;
         let shift = if shared { speed.abs().ln() } else { 0.0 };
+        let (low, high) = (from.ln() + shift, to.ln() + shift);
+        let points = if shared {
+            self.pieces(low, high)
+        } else {
+            // four pieces to start with: static far field, layers, contact width, beyond
+            let middle = [0.01f64, 0.1, 1.0].iter().map(|b| b.ln());
+            let middle = middle.filter(|b| *b > low + 0.5 && *b < high - 0.5);
+            std::iter::once(low).chain(middle).chain([high]).collect()
+        };
         let k_max = self.k_max(to, MOVING_ACCURACY);
         let compliance = |x: f64| {
             let beta = (x - shift).exp();
@@ -148,9 +174,8 @@ impl Foundation for LayeredSoil {
                 return Complex64::ONE;
             }
             let (omega, band) = if shared {
-                let piece = (x / PIECE).floor();
-                let band = ((piece * PIECE).exp(), ((piece + 1.0) * PIECE).exp());
-                (-speed.signum() * x.exp(), Some(band))
+                let above = points.partition_point(|end| *end < x).clamp(1, points.len() - 1);
+                (-speed.signum() * x.exp(), Some((points[above - 1].exp(), points[above].exp())))
             } else {
                 (-beta * speed, None)
             };
@@ -167,18 +192,6 @@ impl Foundation for LayeredSoil {
             relative = (0.1 * bearable).clamp(1e-8, 1e-3);
             estimate.value
         };
-        let (low, high) = (from.ln() + shift, to.ln() + shift);
-        let mut points = vec![low];
-        if shared {
-            points = ((low / PIECE).floor() as i32..=(high / PIECE).ceil() as i32)
-                .map(|piece| f64::from(piece) * PIECE)
-                .collect();
-        } else {
-            // four pieces to start with: static far field, layers, contact width, beyond
-            let middle = [0.01f64, 0.1, 1.0].iter().map(|b| b.ln());
-            points.extend(middle.filter(|b| *b > low + 0.5 && *b < high - 0.5));
-            points.push(high);
-        }
         let interpolant = Interpolant::new(compliance, &points, |x, value| {
             if failure.borrow().is_some() { f64::INFINITY } else { allowed((x - shift).exp(), 1.0 / value) }
         });

@@ -87,21 +87,25 @@ impl<'a> TrackOnFoundation<'a> {
     /// The largest wavenumber that matters [rad/m], beyond which ∫ |ũ| dβ ≈ |ũ|β/3 is below the accuracy, ∫ |ũ| dβ, and
     /// whether there is such a wavenumber.
     fn extent(&self, speed: f64) -> Result<(f64, f64, bool), InteractionError> {
-        const RATIO: f64 = 1.3;
+        // in steps of ln ω that are the same at all speeds, so that foundations may keep what is dear at each ω
+        const STEP: f64 = 0.25;
+        let shift = if speed == 0.0 { 0.0 } else { speed.abs().ln() };
         // of an axle spread over 2a the spectrum falls slowly, but its signs change: sixty radians leave 1/60² of it
         let enough = if self.half_length > 0.0 { 60.0 / self.half_length } else { BETA_CAP };
-        let mut beta = 0.05;
         let mut sum = 0.0;
+        let mut step = ((0.05f64.ln() + shift) / STEP).round();
         loop {
-            let stiffness = self.foundation.stiffness_to(beta, -beta * speed, 1e-3)?.value;
+            let (x, beta) = (step * STEP, (step * STEP - shift).exp());
+            let omega = if speed == 0.0 { 0.0 } else { -speed.signum() * x.exp() };
+            let stiffness = self.foundation.stiffness_to(beta, omega, 1e-3)?.value;
             // the envelope of the load's spectrum, not its zeros
             let load = (1.0 + (beta * self.half_length).powi(2)).sqrt().recip();
-            let u = self.stack.respond(beta, -beta * speed, stiffness).rail.norm() * load;
-            sum += u * beta * RATIO.ln();
+            let u = self.stack.respond(beta, omega, stiffness).rail.norm() * load;
+            sum += u * beta * STEP;
             if u * beta < 0.5 * ACCURACY * sum || beta > enough {
                 return Ok((beta, sum, beta <= BETA_CAP || self.half_length > 0.0));
             }
-            beta *= RATIO;
+            step += 1.0;
         }
     }
 

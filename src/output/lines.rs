@@ -12,11 +12,14 @@ const WIDTH: f64 = 900.0;
 /// Height of the frame around the curves [px].
 const HEIGHT: f64 = 440.0;
 /// Height of a line of the legend [px].
-const ROW: f64 = 22.0;
+pub(super) const ROW: f64 = 22.0;
 /// Room for ticks and label below the frame [px].
-const BELOW: f64 = 62.0;
+pub(super) const BELOW: f64 = 62.0;
 /// Length of the stroke shown in the legend [px].
-const SAMPLE: f64 = 34.0;
+pub(super) const SAMPLE: f64 = 34.0;
+
+/// Dash and gap of a dashed line [px].
+pub(super) const DASH: Option<(f64, f64)> = Some((9.0, 5.0));
 
 /// Draws the figure; values that are not finite (or not positive on a logarithmic axis) are gaps in the curves.
 pub(super) fn draw(figure: &LineFigure) -> Result<Canvas, OutputError> {
@@ -211,15 +214,15 @@ fn has_legend(figure: &LineFigure) -> bool {
     figure.series.len() > 1
 }
 
-fn stroke(canvas: &mut Canvas, points: Vec<Point>, stroke: Stroke, colour: Rgb) {
+/// Draws a line of the usual width, or markers.
+pub(super) fn stroke(canvas: &mut Canvas, points: Vec<Point>, stroke: Stroke, colour: Rgb) {
     let pen = Pen::solid(colour, 2.2);
     match stroke {
         // A point alone between gaps makes no line.
         _ if points.len() == 1 => canvas.circle(points[0], 4.2, colour),
         Stroke::Solid => canvas.polyline(points, pen),
         Stroke::Dashed => {
-            let dash = Some((9.0, 5.0));
-            canvas.polyline(points, Pen { dash, ..pen });
+            canvas.polyline(points, Pen { dash: DASH, ..pen });
         }
         Stroke::Points => {
             for point in points {

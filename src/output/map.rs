@@ -1,10 +1,11 @@
 //! Fields over a rectangle.
 
-use super::OutputError;
 use super::axis::Scale;
 use super::canvas::{Area, Canvas, LABEL, Pen, label_room, text_width};
 use super::colours::{INK, MISSING, Rgb, diverging, sequential};
+use super::lines::BELOW;
 use super::raster::Image;
+use super::{OutputError, overlay};
 use crate::figure::MapFigure;
 
 /// Page width [px].
@@ -79,9 +80,13 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
         if part.is_nan() { STEPS } else { ((part * f64::from(STEPS)) as u8).min(STEPS - 1) }
     };
 
-    let mut canvas = Canvas::new(WIDTH, (frame.bottom + overhang).max(bar.bottom + 62.0).round());
+    let under = (frame.bottom + overhang).max(bar.bottom + BELOW);
+    let keys = overlay::legend(&figure.overlay, (frame.left, under), WIDTH - 20.0);
+    let mut canvas = Canvas::new(WIDTH, (under + keys.height).round());
     let size = [frame.width() as usize, frame.height() as usize];
     canvas.image(Image { area: frame, palette: palette.clone(), pixels: pixels(figure, size, place) });
+    overlay::draw(&mut canvas, &figure.overlay, (x, x_span), (y, y_span));
+    keys.draw(&mut canvas, &figure.overlay);
     canvas.rectangle(frame, None, Some(Pen::solid(INK, 1.2)));
     let x_count = ((frame.width() / 90.0) as usize).clamp(3, 8);
     canvas.x_axis(frame, x, &x.ticks(x_count), &figure.x_label, false);
@@ -174,7 +179,7 @@ fn pixels(figure: &MapFigure, [columns, rows]: [usize; 2], place: impl Fn(f64) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::Figure;
+    use crate::figure::{Figure, Series, Stroke};
     use crate::output::plot::{png, svg};
     use ndarray::Array2;
 
@@ -197,6 +202,7 @@ mod tests {
             values,
             symmetric,
             equal_axes: true,
+            overlay: Vec::new(),
         }
     }
 
@@ -235,6 +241,32 @@ mod tests {
         assert_eq!(range(&map), Some((-2.0, 0.0)));
         map.values.fill(f64::NAN);
         assert!(svg(&Figure::Map(map)).is_err());
+    }
+
+    #[test]
+    fn curves_over_the_field_are_cut_at_its_edge_and_named_below() {
+        let mut map = figure(31, 31, false);
+        let plain = svg(&Figure::Map(map.clone())).unwrap();
+        let names = ["first mode", "free track"];
+        map.overlay = [Stroke::Solid, Stroke::Dashed]
+            .into_iter()
+            .zip(names)
+            .map(|(stroke, name)| Series {
+                name: name.into(),
+                x: vec![-20.0, 20.0],
+                y: vec![-90.0, 90.0],
+                stroke,
+            })
+            .collect();
+        let drawn = svg(&Figure::Map(map)).unwrap();
+        let page = |svg: &str| {
+            let view = svg.split("viewBox=\"").nth(1).unwrap().split('"').next().unwrap().to_owned();
+            view.split(' ').map(|v| v.parse().unwrap()).collect::<Vec<f64>>()
+        };
+        assert!(page(&drawn)[3] > page(&plain)[3]);
+        for name in names {
+            assert!(drawn.contains(name) && !plain.contains(name), "{name}");
+        }
     }
 
     #[test]

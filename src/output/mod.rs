@@ -13,6 +13,7 @@ pub mod hdf5;
 pub mod json;
 mod lines;
 mod map;
+mod overlay;
 pub mod plot;
 mod raster;
 pub mod report;

@@ -197,6 +197,7 @@ impl Contour {
                     values: field.values[i].mapv(|v| factor * v),
                     symmetric: true,
                     equal_axes: true,
+                    overlay: Vec::new(),
                 };
                 outcome
                     .figures

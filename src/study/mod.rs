@@ -3,6 +3,7 @@
 pub mod comparison;
 mod contour;
 mod critical_speed;
+mod dispersion;
 mod equivalent_stiffness;
 mod model;
 mod surface_compliance;
@@ -11,6 +12,7 @@ mod track_response;
 pub use comparison::Comparison;
 pub use contour::Contour;
 pub use critical_speed::CriticalSpeed;
+pub use dispersion::Dispersion;
 pub use equivalent_stiffness::EquivalentStiffness;
 pub use model::{Contact, Model, Support};
 pub use surface_compliance::SurfaceComplianceTable;
@@ -65,6 +67,8 @@ pub struct Outcome {
 pub enum Study {
     /// At which speed does the track move most?
     CriticalSpeed(CriticalSpeed),
+    /// Which waves travel along the ground and along the track by themselves?
+    Dispersion(Dispersion),
     /// What shape has the rail?
     TrackResponse(TrackResponse),
     /// What does the ground around the train do?
@@ -80,6 +84,7 @@ impl Study {
     pub fn name(&self) -> &'static str {
         match self {
             Self::CriticalSpeed(_) => "critical_speed",
+            Self::Dispersion(_) => "dispersion",
             Self::TrackResponse(_) => "track_response",
             Self::Contour(_) => "contour",
             Self::EquivalentStiffness(_) => "equivalent_stiffness",
@@ -94,6 +99,7 @@ impl Study {
     pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
         match self {
             Self::CriticalSpeed(study) => study.run(model, observer),
+            Self::Dispersion(study) => study.run(model, observer),
             Self::TrackResponse(study) => study.run(model, observer),
             Self::Contour(study) => study.run(model, observer),
             Self::EquivalentStiffness(study) => study.run(model, observer),
@@ -126,6 +132,7 @@ impl Study {
                 let omega = std::f64::consts::TAU * study.frequencies.iter().copied().fold(0.0, f64::max);
                 model.check_damping(study.beta.iter().map(|beta| omega / beta))
             }
+            Self::Dispersion(_) => model.ground("dispersion").map(|_| ()),
             Self::SurfaceCompliance(_) => model.ground("surface_compliance").map(|_| ()),
         }
     }

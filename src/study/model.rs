@@ -120,6 +120,11 @@ impl Model {
         &self.contact
     }
 
+    /// The track without what it stands on; empty for loads straight on the ground.
+    pub fn stack(&self) -> &Stack {
+        &self.stack
+    }
+
     /// The foundation k(β, ω).
     ///
     /// # Errors

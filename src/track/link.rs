@@ -64,6 +64,17 @@ impl Link {
         })
     }
 
+    /// The same link without dissipation.
+    pub fn undamped(mut self) -> Self {
+        match &mut self {
+            Self::Spring { damping, loss_factor, .. } | Self::ConsistentMass { damping, loss_factor, .. } => {
+                (*damping, *loss_factor) = (0.0, 0.0);
+            }
+            Self::Bars { loss_factor, .. } => *loss_factor = 0.0,
+        }
+        self
+    }
+
     /// The 2 × 2 stiffness at `omega` [rad/s].
     ///
     /// Bars: T = EA(ω/C)/tan(ωh/C), S = EA(ω/C)/sin(ωh/C), both EA/h at ω = 0 (A.2, corrected).

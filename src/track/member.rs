@@ -33,6 +33,16 @@ impl Member {
         Self::beam(0.0, mass, 0.0)
     }
 
+    /// The same member without dissipation.
+    pub fn undamped(self) -> Self {
+        Self { loss_factor: 0.0, ..self }
+    }
+
+    /// Without bending stiffness: a mass.
+    pub(super) fn is_mass(&self) -> bool {
+        self.bending_stiffness == 0.0
+    }
+
     /// EI(1 + iη sgn ω)β⁴ − ω²m [N/m²]. Source: Eqs (13), (23).
     #[inline]
     pub fn stiffness(&self, beta: f64, omega: f64) -> Complex64 {

@@ -54,6 +54,65 @@ impl Stack {
         let rail = 1.0 / stiffness;
         Displacements { rail, base: rail * ratio }
     }
+
+    /// The same stack without dissipation.
+    pub fn undamped(&self) -> Self {
+        Self {
+            members: self.members.iter().map(|m| m.undamped()).collect(),
+            links: self.links.iter().map(|l| l.undamped()).collect(),
+        }
+    }
+
+    /// Wavenumber β [rad/m] of the slowest wave that travels along the undamped stack at `omega` > 0 [rad/s] without load
+    /// and with nothing below; None where there is no such wave, as between the resonance of the sleepers on the pads
+    /// and the next one.
+    ///
+    /// The matrix is linear in x = β⁴ with coefficients EI ≥ 0, so that its negative pivots become fewer as x grows, one
+    /// at every wave: the last step is bisected. This wave is the bending of the whole track as ω → 0.
+    ///
+    /// Accuracy: of β⁴, rounding of the springs against the inertia of the track, 1e-16 k/(ω²m); published curves to 4e-9,
+    /// their digits (test `papers::mezher`).
+    /// Source: Mezher et al. 2016; the real part of their determinant is that of the undamped track.
+    pub fn free_wave(&self, omega: f64) -> Option<f64> {
+        let links: Vec<_> = self.links.iter().map(|l| l.undamped().stiffness(omega)).collect();
+        let own = |i: usize, x: f64| match self.members.get(i) {
+            // a beam that cannot bend does not move
+            Some(beam) if x == f64::INFINITY && !beam.is_mass() => x,
+            Some(mass) if x == f64::INFINITY => mass.stiffness(0.0, omega).re,
+            Some(member) => member.undamped().stiffness(x.sqrt().sqrt(), omega).re,
+            None => 0.0,
+        };
+        let negative = |x: f64| {
+            let mut pivot = own(links.len(), x);
+            let mut count = 0;
+            for (i, link) in links.iter().enumerate().rev() {
+                pivot += link.lower.re;
+                count += usize::from(pivot < 0.0);
+                pivot = own(i, x) + link.upper.re - link.cross.re * link.cross.re / pivot;
+            }
+            count + usize::from(pivot < 0.0)
+        };
+        let rest = negative(f64::INFINITY);
+        let (mut low, mut high) = (0.0, 1e-12);
+        if negative(low) <= rest {
+            return None;
+        }
+        // β up to 1e9 rad/m
+        while negative(high) > rest {
+            if high > 1e36 {
+                return None;
+            }
+            (low, high) = (high, 16.0 * high);
+        }
+        while high - low > 1e-15 * high {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if negative(middle) > rest { low = middle } else { high = middle }
+        }
+        Some((0.5 * (low + high)).sqrt().sqrt())
+    }
 }
 
 #[cfg(test)]
@@ -93,6 +152,36 @@ mod tests {
         let got = stack.respond(beta, omega, k_eq);
         assert!((got.rail - u[0]).norm() < 1e-14 * u[0].norm());
         assert!((got.base - u[2]).norm() < 1e-14 * u[2].norm());
+    }
+
+    #[test]
+    fn free_waves_are_those_of_the_determinant() {
+        // a lone beam: β⁴ = ω²m/EI; measured 2e-16
+        let beam = Stack::new(vec![Member::beam(1e8, 2000.0, 0.1).unwrap()], vec![]);
+        let beta = beam.free_wave(30.0).unwrap();
+        assert!((beta / (900.0f64 * 2000.0 / 1e8).powf(0.25) - 1.0).abs() < 1e-15);
+        // two beams joined: det = (EI₁x − ω²m₁ + k)(EI₂x − ω²m₂ + k) − k², its larger root; measured 2e-15
+        let (a, b, k) = ((1.29e7, 120.0), (1.34e8, 1093.75), 5e8);
+        let members = [a, b].map(|(ei, m)| Member::beam(ei, m, 0.0).unwrap()).to_vec();
+        let two = Stack::new(members, vec![Link::spring(k, 2.5e5, 0.2).unwrap()]);
+        for omega in [0.1, 30.0, 500.0, 1500.0, 4000.0] {
+            let (p, q) = (k - omega * omega * a.1, k - omega * omega * b.1);
+            let (half, product) = (0.5 * (a.0 * q + b.0 * p), a.0 * b.0);
+            let root = (half * half - product * (p * q - k * k)).sqrt();
+            let x = if half < 0.0 { (root - half) / product } else { (k * k - p * q) / (half + root) };
+            let found = two.free_wave(omega).unwrap();
+            assert!((found.powi(4) / x - 1.0).abs() < 1e-9, "{omega}: {found} {x}");
+        }
+        // rail on pads on sleepers: no wave from √(k/m_s) to √(k/m_s + k/m_r)
+        let members = vec![Member::beam(1.29e7, 120.0, 0.0).unwrap(), Member::mass(490.0).unwrap()];
+        let sleepers = Stack::new(members, vec![Link::spring(5e8, 0.0, 0.0).unwrap()]);
+        let (low, high) = ((5e8f64 / 490.0).sqrt(), (5e8f64 / 490.0 + 5e8 / 120.0).sqrt());
+        for (omega, there) in
+            [(0.99 * low, true), (1.01 * low, false), (0.99 * high, false), (1.01 * high, true)]
+        {
+            assert_eq!(sleepers.free_wave(omega).is_some(), there, "{omega}");
+        }
+        assert_eq!(Stack::default().free_wave(1.0), None);
     }
 
     #[test]

@@ -5,6 +5,7 @@ mod common;
 
 mod beam;
 mod column;
+mod dispersion;
 mod half_space;
 mod moving_point;
 mod rayleigh;

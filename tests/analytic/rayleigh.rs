@@ -4,7 +4,7 @@ use groundwave::soil::{Base, DirectStiffness, Elastic, GroundSolver, Layer, Mate
 
 /// (ν, c_R/c_s): "half-space closed forms" (Kausel 2006, evaluated to 8 digits; listed as 0.333333 there, the third value is that of ⅓), whose first six
 /// digits are those of THEORY 2 for ν = 0, ¼, ⅓, .35, .40, .45.
-const SPEEDS: [(f64, f64); 10] = [
+pub const SPEEDS: [(f64, f64); 10] = [
     (0.0, 0.87403205),
     (0.1, 0.89310601),
     (0.2, 0.91099589),

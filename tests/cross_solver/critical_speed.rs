@@ -4,7 +4,7 @@ use crate::common::{named, tracks};
 use groundwave::foundation::{Foundation, LayeredSoil};
 use groundwave::interaction::TrackOnFoundation;
 use groundwave::math::quadrature::{Tolerance, integrate};
-use groundwave::soil::{Solver, Strip};
+use groundwave::soil::{Solver, Strip, ThinLayer};
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
@@ -91,5 +91,34 @@ fn peaks() {
         println!("{name}: {speed}");
         // measured 137.3 and 170.1 m/s
         assert!((speed - expected).abs() < 1.0, "{name}: {speed}");
+    }
+}
+
+/// The paper's two speed curves from thin layers and from exact layers.
+#[test]
+fn thin_layers() {
+    let (exact, thin) = (Solver::DirectStiffness, Solver::ThinLayer(ThinLayer::default()));
+    for name in ["paper_ballasted", "paper_slab"] {
+        let (stack, compatibility) = tracks::named(name);
+        let strip = Strip { half_width: 1.25, compatibility };
+        let soils = [exact, thin].map(|s| LayeredSoil::new(named("paper_layered"), s, strip).unwrap());
+        let mut worst = 0.0f64;
+        let mut time = [0.0; 2];
+        for i in 0..20 {
+            let speed = 10.0 + 10.0 * f64::from(i);
+            let mut extremes = [(0.0f64, 0.0f64); 2];
+            for (j, soil) in soils.iter().enumerate() {
+                let t = std::time::Instant::now();
+                let response = TrackOnFoundation::new(&stack, soil, 0.0).moving(speed, 61.0).unwrap();
+                time[j] += t.elapsed().as_secs_f64();
+                assert!(response.converged);
+                let rail = response.shape(-60.0, 0.05, 1801).rail;
+                extremes[j] = rail.iter().fold((0.0, 0.0), |(a, b), w| (a.max(*w), b.max(-w)));
+            }
+            let [(a, a_up), (b, b_up)] = extremes;
+            worst = worst.max((b / a - 1.0).abs()).max((b_up - a_up).abs() / a);
+        }
+        println!("{name}: {worst:e} {time:?}");
+        assert!(worst < 3e-3, "{worst:e}");
     }
 }

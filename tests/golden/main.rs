@@ -36,6 +36,9 @@ fn shrink(study: &mut Study) {
             study.clearance = Some(60.0);
             study.speeds.truncate(1);
         }
+        Study::Dispersion(study) => {
+            study.frequencies = study.frequencies.iter().copied().step_by(5).collect();
+        }
         Study::EquivalentStiffness(_) | Study::SurfaceCompliance(_) => {}
     }
 }

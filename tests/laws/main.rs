@@ -5,6 +5,7 @@
 //! `PROPTEST_CASES=5000 cargo test --release --test laws -- --nocapture` draws more and prints the worst value of each.
 
 mod agreement;
+mod dispersion;
 mod draw;
 mod ground;
 mod moving;
