@@ -111,7 +111,7 @@ impl Mesh {
         }
         let (low, high) = to.omega;
         let k_s = high / material.c_s();
-        let spacing = PI * PI / (1e3 / to.accuracy).ln();
+        let spacing = PI * PI / (300.0 / to.accuracy).ln();
         let mut slownesses = Vec::new();
         // |√(k² − k_p²)| ≥ √(η/2) k_p on the real axis; nearly undamped ground is cut a little short of its branch point
         let lowest = if low == 0.0 {

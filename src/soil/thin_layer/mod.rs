@@ -124,8 +124,8 @@ impl ThinLayer {
     pub fn resolving(self, k_max: f64, accuracy: f64) -> Self {
         let accuracy = accuracy.max(self.accuracy);
         let coarser = (self.accuracy / accuracy).powf(0.5 / self.element.degree() as f64);
-        // three sublayers to a wave at least
-        let per_wavelength = (self.per_wavelength * coarser).max(3.0).min(self.per_wavelength);
+        // two sublayers to a wave at least
+        let per_wavelength = (self.per_wavelength * coarser).max(2.0).min(self.per_wavelength);
         Self { k_max, accuracy, per_wavelength, ..self }
     }
 
@@ -220,17 +220,18 @@ impl ThinLayerAt {
             }
             let modes = Modes::in_plane(&self.mesh.sublayers, &self.mesh.nodes, self.middle())?;
             let k_max = self.settings.k_max;
-            // downward by half decades from k_max to where the sum has lost its digits, if anywhere
+            // downward from k_max to where the sum has lost its digits, if anywhere: towards rest, where P and S modes merge
             let mut lowest = f64::INFINITY;
-            for half_decade in 0..17 {
-                let k = k_max * 0.1f64.powf(0.5 * f64::from(half_decade));
+            const CHECKS: i32 = 4;
+            for check in 0..CHECKS {
+                let k = k_max * 1e-8f64.powf(f64::from(check) / f64::from(CHECKS - 1));
                 let layers: Vec<_> = self.mesh.sublayers.iter().map(|s| s.in_plane(k)).collect();
                 let direct = chain::displacements(&layers, None, 0)[0][(1, 1)];
                 // written so that NaN is refused
                 if !((modes.at_surface(k) - direct).norm() <= self.settings.accuracy * direct.norm()) {
                     break;
                 }
-                lowest = if half_decade == 16 { 0.0 } else { k };
+                lowest = if check == CHECKS - 1 { 0.0 } else { k };
             }
             (lowest <= k_max).then_some(InPlane { modes, band: (lowest, k_max) })
         });
