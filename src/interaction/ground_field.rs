@@ -75,6 +75,7 @@ impl Window {
 }
 
 /// How a unit axle load reaches the ground.
+#[derive(Clone, Copy)]
 pub enum GroundLoad<'a> {
     /// Over a strip of half-width b: force per metre spectrum q̃(β ≥ 0) for a unit load, negligible beyond `beta_max`.
     Strip {
