@@ -24,7 +24,7 @@ fn baseline_u_zz_1000(bencher: Bencher) {
 /// The in-plane eigenproblem of the paper's soil at 0.2 rad/s to 1e-6 (200 unknowns) and as a speed curve asks (1e-4).
 #[divan::bench(args = [1e-6, 1e-4])]
 fn modes(bencher: Bencher, accuracy: f64) {
-    let solver = ThinLayer::default().resolving(240.0, accuracy);
+    let solver = ThinLayer::default().resolving((0.0, 240.0), accuracy);
     let profile = common::named("paper_layered");
     bencher.bench(|| {
         let ground = solver.prepare(&profile, black_box(1.7), &[]).unwrap();
@@ -37,7 +37,7 @@ fn modes(bencher: Bencher, accuracy: f64) {
 #[divan::bench]
 fn k_eq_from_modes(bencher: Bencher) {
     let ground = ThinLayer::default()
-        .resolving(240.0, 1e-6)
+        .resolving((0.0, 240.0), 1e-6)
         .prepare(&common::named("paper_layered"), 1.7, &[])
         .unwrap();
     println!("{} modes", ground.strip(0.2, STRIP, 1e-6).count);

@@ -14,8 +14,8 @@ const MOVING_ACCURACY: f64 = 1e-3;
 /// Ends, as ln(ω b/c_s), of the pieces on which one set of thin layers serves; one unit wide from there on.
 const ENDS: [f64; 4] = [-19.0, -8.0, -4.5, -2.5];
 
-/// Grounds that were dear to prepare, by frequency, largest wavenumber and accuracy.
-type Prepared = HashMap<(u64, u64, u64), Arc<OnceLock<Result<Arc<dyn PreparedGround>, SoilError>>>>;
+/// Grounds that were dear to prepare, by frequency, wavenumbers and accuracy.
+type Prepared = HashMap<(u64, u64, u64, u64), Arc<OnceLock<Result<Arc<dyn PreparedGround>, SoilError>>>>;
 
 /// A profile loaded over a strip.
 pub struct LayeredSoil {
@@ -65,23 +65,23 @@ impl LayeredSoil {
         self.solver
     }
 
-    /// The ground at `omega` for wavenumbers up to `k_max` to `accuracy`, the sublayers of thin layers those of all
+    /// The ground at `omega` for wavenumbers from `k.0` to `k.1` to `accuracy`, the sublayers of thin layers those of all
     /// frequencies in `band`. Every thread gets the same one, whichever of them prepared it.
     fn prepare(
         &self,
         omega: f64,
-        k_max: f64,
+        k: (f64, f64),
         accuracy: f64,
         band: Option<(f64, f64)>,
     ) -> Result<Arc<dyn PreparedGround>, SoilError> {
         let prepare = || {
-            let solver = self.solver.resolving(k_max, accuracy, band);
+            let solver = self.solver.resolving(k, accuracy, band);
             solver.prepare(&self.profile, omega, &[]).map(Arc::from)
         };
         if !self.solver.has_modes() {
             return prepare();
         }
-        let key = (omega.to_bits(), k_max.to_bits(), accuracy.to_bits());
+        let key = (omega.to_bits(), k.0.to_bits(), k.1.to_bits(), accuracy.to_bits());
         // a panic elsewhere leaves nothing half-made
         let cell =
             self.prepared.lock().unwrap_or_else(PoisonError::into_inner).entry(key).or_default().clone();
@@ -105,12 +105,12 @@ impl LayeredSoil {
         ends
     }
 
-    /// Largest wavenumber thin layers must resolve [rad/m]: what is above changes the mean over the strip by `accuracy`,
-    /// and (k b)⁻² of it (tests `cross_solver::thin_layer`); and twice `beta`.
-    fn k_max(&self, beta: f64, accuracy: f64) -> f64 {
-        let wanted = (0.3 / accuracy.sqrt() / self.strip.half_width).max(2.0 * beta);
+    /// Wavenumbers thin layers must resolve [rad/m] where β is at most `beta`. What lies above changes the mean over the
+    /// strip by (k b)⁻² of it (tests `cross_solver::thin_layer`).
+    fn wavenumbers(&self, beta: f64, accuracy: f64) -> (f64, f64) {
+        let highest = (0.3 / accuracy.sqrt() / self.strip.half_width).max(2.0 * beta);
         // few different ones
-        (0.25 * wanted.log2()).ceil().exp2().powi(4)
+        (0.0, (0.25 * highest.log2()).ceil().exp2().powi(4))
     }
 
     /// Refuses phase speeds at which undamped ground has a real pole.
@@ -130,7 +130,7 @@ impl Foundation for LayeredSoil {
     fn stiffness_to(&self, beta: f64, omega: f64, relative: f64) -> Result<Stiffness, FoundationError> {
         self.check(if omega == 0.0 { 0.0 } else { (omega / beta).abs() })?;
         let accuracy = relative.clamp(1e-6, 1e-2);
-        let ground = self.prepare(omega, self.k_max(beta.abs(), accuracy), accuracy, None)?;
+        let ground = self.prepare(omega, self.wavenumbers(beta.abs(), accuracy), accuracy, None)?;
         let estimate = ground.strip(beta, self.strip, relative);
         Ok(Stiffness {
             value: 1.0 / estimate.value,
@@ -190,14 +190,18 @@ impl Foundation for LayeredSoil {
             } else {
                 (-beta * speed, None, to)
             };
-            let ground =
-                match self.prepare(omega, self.k_max(highest, MOVING_ACCURACY), MOVING_ACCURACY, band) {
-                    Ok(ground) => ground,
-                    Err(error) => {
-                        failure.replace(Some(error));
-                        return Complex64::ONE;
-                    }
-                };
+            let ground = match self.prepare(
+                omega,
+                self.wavenumbers(highest, MOVING_ACCURACY),
+                MOVING_ACCURACY,
+                band,
+            ) {
+                Ok(ground) => ground,
+                Err(error) => {
+                    failure.replace(Some(error));
+                    return Complex64::ONE;
+                }
+            };
             let estimate = ground.strip(beta, self.strip, relative);
             converged &= estimate.converged;
             let bearable = allowed(beta, 1.0 / estimate.value) / estimate.value.norm();

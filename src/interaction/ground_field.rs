@@ -18,7 +18,7 @@ use std::f64::consts::{PI, TAU};
 use thiserror::Error;
 
 /// Accuracy of G a field asks of a solver that approximates it: well below the wrap-around that is tolerated.
-const FIELD_ACCURACY: f64 = 1e-4;
+const FIELD_ACCURACY: f64 = 3e-4;
 
 /// What is wanted of the ground's surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -218,19 +218,6 @@ impl GroundField<'_> {
         if x.is_empty() || y.is_empty() {
             return Err(GroundFieldError::Window { x: window.x, y: window.y, spacing: window.spacing });
         }
-        let corner = (PI / grid.x.step).hypot(PI / grid.y.step);
-        let resolved = Self { solver: self.solver.resolving(corner, FIELD_ACCURACY, None), ..*self };
-        resolved.transform(window, grid, quantities)
-    }
-
-    /// `compute` with a solver that resolves every wavenumber of the grid.
-    fn transform(
-        &self,
-        window: &Window,
-        grid: &Grid,
-        quantities: &[Quantity],
-    ) -> Result<Field, GroundFieldError> {
-        let (x, y) = (window.x_positions(), window.y_positions());
         // ℓ: where the lower half-space takes over, and resolved by the grid
         let blend = self.profile.depth().max(4.0 * grid.x.step).max(4.0 * grid.y.step).max(2.0);
         let base = match self.profile.base() {
@@ -331,8 +318,11 @@ impl GroundField<'_> {
         let force = self.force(beta_x);
         let phases = self.phases(beta_x);
         let omega = -beta_x * self.speed;
-        let ground = self.solver.prepare(self.profile, omega, &[])?;
-        let prepared = |material| self.solver.prepare(&half_space(material)?, omega, &[]).map(Some);
+        let corner = (PI / grid.x.step).hypot(PI / grid.y.step);
+        // k ≥ |β_x| in this row
+        let solver = self.solver.resolving((0.99 * beta_x.abs(), corner), FIELD_ACCURACY, None);
+        let ground = solver.prepare(self.profile, omega, &[])?;
+        let prepared = |material| solver.prepare(&half_space(material)?, omega, &[]).map(Some);
         let base = match self.profile.base() {
             Base::HalfSpace(material) if far.iter().any(Option::is_some) => prepared(material)?,
             _ => None,

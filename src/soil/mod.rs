@@ -143,13 +143,13 @@ impl Solver {
         }
     }
 
-    /// The same solver for wavenumbers up to `k_max` [rad/m] to `accuracy` of G, and with one set of sublayers for
+    /// The same solver for wavenumbers from `k.0` to `k.1` [rad/m] to `accuracy` of G, and with one set of sublayers for
     /// frequencies from `band.0` to `band.1` [rad/s]; exact solvers serve them all.
     #[must_use]
-    pub fn resolving(self, k_max: f64, accuracy: f64, band: Option<(f64, f64)>) -> Self {
+    pub fn resolving(self, k: (f64, f64), accuracy: f64, band: Option<(f64, f64)>) -> Self {
         match self {
             Self::ThinLayer(settings) => {
-                let settings = settings.resolving(k_max, accuracy);
+                let settings = settings.resolving(k, accuracy);
                 Self::ThinLayer(band.map_or(settings, |(low, high)| settings.for_frequencies(low, high)))
             }
             exact => exact,
@@ -287,7 +287,7 @@ pub enum SoilError {
     /// An eigenproblem too large.
     #[error(
         "the thin-layer method needs {sublayers} sublayers at {frequency:.3} Hz, more than the {most} whose modes can be found: \
-         use half_space = \"exact\" (no modes), a lower accuracy or frequency, or direct-stiffness"
+         ask for a lower accuracy or frequency, or look for single modes with dispersion"
     )]
     Unknowns {
         /// Needed.

@@ -55,7 +55,10 @@ fn k_eq() {
         };
         let (beta, omega) = (number(3), number(4));
         let ground = cache.entry((row[0].to_owned(), omega.to_bits())).or_insert_with(|| {
-            ThinLayer::default().resolving(300.0 / 1.25, 1e-6).prepare(&named(row[0]), omega, &[]).unwrap()
+            ThinLayer::default()
+                .resolving((0.0, 300.0 / 1.25), 1e-6)
+                .prepare(&named(row[0]), omega, &[])
+                .unwrap()
         });
         let estimate = ground.strip(beta, strip, 1e-6);
         let expected = Complex64::new(number(5), number(6));
@@ -112,7 +115,8 @@ fn receivers() {
         let profile = named(name);
         for (beta, omega) in [(0.2, -20.0), (0.05, 30.0), (0.6, 75.0), (0.3, 188.0)] {
             let exact = DirectStiffness.prepare(&profile, omega, &[]).unwrap();
-            let thin = ThinLayer::default().resolving(240.0, 1e-6).prepare(&profile, omega, &[]).unwrap();
+            let thin =
+                ThinLayer::default().resolving((0.0, 240.0), 1e-6).prepare(&profile, omega, &[]).unwrap();
             for (b, y) in [(1.25, 0.0), (1.25, 0.7), (1.25, 1.25), (1.25, 5.0), (1.25, 20.0), (0.0, 3.0)] {
                 let (a, e) = (thin.receiver(beta, b, y, 1e-9), exact.receiver(beta, b, y, 1e-9));
                 let error = (a.value - e.value).norm() / e.value.norm();

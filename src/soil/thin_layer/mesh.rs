@@ -64,8 +64,8 @@ impl Mesh {
             },
         };
         let deepest = depths.iter().copied().fold(0.0, f64::max);
-        let gone = 0.5 * (1.0 / to.accuracy).ln() + 6.0;
-        let low = to.omega.0;
+        let gone = 0.5 * (1.0 / to.accuracy).ln() + 4.0;
+        let (low, high) = to.omega;
         let (mut top, mut node, mut decay) = (0.0, 0, 0.0);
         let shape = to.element.shape();
         for layer in profile.layers() {
@@ -75,7 +75,9 @@ impl Mesh {
                 break;
             }
             let cuts = cut(top, layer, depths, to);
-            let slow = Wave::new(&layer.material, low).vertical(slowest).1.re;
+            // slowly decaying waves: S at whichever end of the frequencies
+            let slow = [low, high].map(|omega| Wave::new(&layer.material, omega).vertical(slowest).1.re);
+            let slow = slow[0].min(slow[1]);
             for pair in cuts.windows(2) {
                 let thickness = Complex64::from(pair[1] - pair[0]);
                 mesh.sublayers.push(Sublayer { shape, thickness, wave });
