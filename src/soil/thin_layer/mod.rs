@@ -235,7 +235,8 @@ impl ThinLayerAt {
                 let layers: Vec<_> = self.mesh.sublayers.iter().map(|s| s.in_plane(k)).collect();
                 let direct = chain::displacements(&layers, None, 0)[0][(1, 1)];
                 // written so that NaN is refused
-                if !((modes.at_surface(k) - direct).norm() <= self.settings.accuracy * direct.norm()) {
+                let agrees = (modes.at_surface(k) - direct).norm() <= self.settings.accuracy * direct.norm();
+                if !agrees {
                     break;
                 }
                 lowest = if check == CHECKS - 1 { 0.0 } else { k };
