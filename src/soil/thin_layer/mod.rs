@@ -1,5 +1,9 @@
 //! The thin-layer method: finite elements in depth, exact along the ground, and modes that answer in closed form.
 //!
+//! G is right to a few times the accuracy asked, relative to its largest component. Near a resonance of lightly damped
+//! layers, an error ε of the wave speed counts ε/η: worst of random grounds with η from 0.2 %, up to four wavelengths
+//! thick, at 1e-6 asked: 2e-5 at the surface and in depth, 2e-6 in k_eq of a strip (test `laws::thin_layer`).
+//!
 //! Source: Waas 1972; Kausel & Peek 1982; Kausel 1986, 1994; linear in k² by the similarity of THEORY 2.
 
 mod element;
@@ -184,8 +188,8 @@ impl GroundSolver for ThinLayer {
         let resolution = self.resolution(omega_abs, self.k.1);
         let mesh = match self.below {
             BelowLayers::Matched => {
-                let mesh =
-                    Mesh::new(&split, omega_abs, &all, &resolution, self.k.0).matched(omega_abs, &resolution);
+                let mesh = Mesh::new(&split, omega_abs, &all, &resolution, self.k.0);
+                let mesh = mesh.matched(omega_abs, &all, &resolution);
                 mesh
             }
             BelowLayers::Exact => {
@@ -224,7 +228,8 @@ impl ThinLayerAt {
                 let layers: Vec<_> = self.mesh.sublayers.iter().map(|s| s.in_plane(k)).collect();
                 let direct = chain::displacements(&layers, None, 0)[0][(1, 1)];
                 // written so that NaN is refused
-                if !((modes.at_surface(k) - direct).norm() <= self.settings.accuracy * direct.norm()) {
+                let agrees = (modes.at_surface(k) - direct).norm() <= self.settings.accuracy * direct.norm();
+                if !agrees {
                     break;
                 }
                 lowest = if check == CHECKS - 1 { k_min } else { k };
