@@ -5,7 +5,7 @@ mod common;
 
 use divan::{Bencher, black_box};
 use groundwave::soil::wave_amplitudes::WaveAmplitudes;
-use groundwave::soil::{DirectStiffness, GroundSolver, half_space};
+use groundwave::soil::{DirectStiffness, GroundSolver, Solver, half_space};
 
 fn main() {
     divan::main();
@@ -48,4 +48,13 @@ fn baseline_wave_amplitudes_1000(bencher: Bencher) {
     let ground = WaveAmplitudes.prepare(&common::named("paper_layered"), 100.0, &[]).unwrap();
     let k = wavenumbers();
     bencher.bench(|| k.iter().map(|&k| ground.surface(black_box(k)).u_zz).sum::<num_complex::Complex64>());
+}
+
+/// The other exact solvers, two layers.
+#[divan::bench(args = [Solver::TransferMatrix, Solver::Flexibility])]
+fn u_zz_1000_by(bencher: Bencher, solver: &Solver) {
+    let ground = solver.prepare(&common::named("paper_layered"), 137.0, &[]).unwrap();
+    bencher.bench(|| {
+        (1..=1000).map(|i| ground.u_zz(black_box(0.01 * f64::from(i)))).sum::<num_complex::Complex64>()
+    });
 }
