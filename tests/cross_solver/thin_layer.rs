@@ -7,6 +7,9 @@ use num_complex::Complex64;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+/// A prepared ground, its worst error and the wavenumber of it.
+type Worst = (Box<dyn PreparedGround>, f64, f64);
+
 #[test]
 fn reference() {
     // worst error of the four components over all wavenumbers of a profile and frequency, relative to the largest |G|
@@ -14,7 +17,7 @@ fn reference() {
     let text = include_str!("../reference/surface_compliance.csv");
     for (below, tolerance) in [(BelowLayers::Exact, 1e-5), (BelowLayers::Matched, 1e-5)] {
         let solver = ThinLayer::new(Element::Cubic, 1e-6, None, below).unwrap();
-        let mut prepared: BTreeMap<(String, u64), (Box<dyn PreparedGround>, f64, f64)> = BTreeMap::new();
+        let mut prepared: BTreeMap<(String, u64), Worst> = BTreeMap::new();
         for row in rows(text) {
             let number = |i: usize| row[i].parse::<f64>().unwrap();
             let (k, f) = (number(1), number(2));
@@ -35,11 +38,11 @@ fn reference() {
                 (entry.1, entry.2) = (error, k);
             }
         }
-        for ((name, f), (_, worst, k)) in &prepared {
-            println!("{below:?} {name} {} Hz: {worst:.1e} at k = {k}", *f as f64 / 1e3);
-        }
-        let worst = prepared.values().map(|v| v.1).fold(0.0, f64::max);
-        assert!(worst < tolerance, "{worst:e}");
+        let worst = prepared.iter().max_by(|a, b| a.1.1.total_cmp(&b.1.1)).unwrap();
+        let ((name, f), (_, error, k)) = worst;
+        println!("{below:?}: worst {error:.1e} at {name}, {} Hz, k = {k}", *f as f64 / 1e3);
+        // measured 3.4e-6 on the exact half-space, 2.7e-6 with matched layers
+        assert!(*error < tolerance, "{error:e}");
     }
 }
 
@@ -60,12 +63,12 @@ fn k_eq() {
         let estimate = ground.strip(beta, strip, 1e-6);
         let expected = Complex64::new(number(5), number(6));
         let error = (1.0 / estimate.value - expected).norm() / expected.norm();
-        if error > 1e-6 {
-            println!("{row:?} {error:e} {}", estimate.count);
-        }
+        assert!(estimate.converged && error.is_finite(), "{row:?}");
         worst = worst.max(error);
     }
-    println!("worst {worst:e}");
+    println!("k_eq: worst {worst:.1e}");
+    // measured 1.6e-6
+    assert!(worst < 1e-5, "{worst:e}");
 }
 
 /// Error of G_zz at eight wavenumbers, relative to the largest, on the exact half-space.
@@ -85,26 +88,26 @@ fn error(name: &str, element: Element, n: f64, omega: f64) -> f64 {
     gap / largest
 }
 
+/// Errors shrink like h², h⁴ and h⁶. At 80 Hz, where waves and not the distance to the load rule the sublayers.
 #[test]
 fn order_of_convergence() {
-    for name in ["paper_layered", "mezher2016_profile3", "stiff_over_soft", "nearly_incompressible"] {
-        for (element, coarse, order) in
-            [(Element::Linear, 120.0, 2.0), (Element::Quadratic, 16.0, 4.0), (Element::Cubic, 8.0, 6.0)]
+    for name in ["paper_layered", "mezher2016_profile3"] {
+        for (element, coarse, least) in
+            [(Element::Linear, 120.0, 1.9), (Element::Quadratic, 16.0, 3.8), (Element::Cubic, 8.0, 5.7)]
         {
-            for f in [5.0, 30.0, 80.0] {
-                let errors: Vec<f64> =
-                    [1.0, 2.0, 4.0].iter().map(|m| error(name, element, coarse * m, TAU * f)).collect();
-                let measured = (errors[0] / errors[1]).log2();
-                println!(
-                    "{name} {element:?} {f}: {errors:?} order {measured:.2} {:.2} {order}",
-                    (errors[1] / errors[2]).log2()
-                );
-            }
+            let errors = [1.0, 2.0, 4.0].map(|m| error(name, element, coarse * m, TAU * 80.0));
+            let orders = [(errors[0] / errors[1]).log2(), (errors[1] / errors[2]).log2()];
+            println!("{name} {element:?}, {coarse} per wavelength: {:.1e}, orders {orders:.2?}", errors[0]);
+            // measured 1.99–2.00, 3.89–4.00 and 5.95–5.99
+            assert!(orders.iter().all(|order| *order >= least), "{name} {element:?} {orders:?}");
+            // measured 7.3e-7 and 7.1e-7
+            assert!(element != Element::Cubic || errors[0] <= 1e-6, "{name} {errors:?}");
         }
     }
 }
 
-/// Line, inside the strip, at its edge and far away: closed forms against quadrature of the exact compliance.
+/// Line, inside the strip, at its edge and far away: closed forms against quadrature of the exact compliance, relative
+/// to the displacement under the centre line of the strip.
 #[test]
 fn receivers() {
     let mut worst = 0.0f64;
@@ -113,22 +116,20 @@ fn receivers() {
         for (beta, omega) in [(0.2, -20.0), (0.05, 30.0), (0.6, 75.0), (0.3, 188.0)] {
             let exact = DirectStiffness.prepare(&profile, omega, &[]).unwrap();
             let thin = ThinLayer::default().resolving(240.0, 1e-6).prepare(&profile, omega, &[]).unwrap();
-            for (b, y) in [(1.25, 0.0), (1.25, 0.7), (1.25, 1.25), (1.25, 5.0), (1.25, 20.0), (0.0, 3.0)] {
-                let (a, e) = (thin.receiver(beta, b, y, 1e-9), exact.receiver(beta, b, y, 1e-9));
-                let error = (a.value - e.value).norm() / e.value.norm();
-                println!(
-                    "{name} {beta} {omega} {b} {y}: {error:.1e} {} {} {}",
-                    e.count, e.converged, a.count
-                );
-                worst = worst.max(error);
-            }
-            // the centre line of a strip is a receiver
             let strip = Strip { half_width: 1.25, compatibility: Compatibility::Centre };
             let centre = exact.strip(beta, strip, 1e-9).value;
+            for (b, y) in [(1.25, 0.0), (1.25, 0.7), (1.25, 1.25), (1.25, 5.0), (1.25, 20.0), (0.0, 3.0)] {
+                let (a, e) = (thin.receiver(beta, b, y, 1e-9), exact.receiver(beta, b, y, 1e-9));
+                assert!(a.converged && a.value.is_finite());
+                worst = worst.max((a.value - e.value).norm() / centre.norm());
+            }
+            // the centre line of a strip is a receiver
             assert!((exact.receiver(beta, 1.25, 0.0, 1e-9).value - centre).norm() < 2e-9 * centre.norm());
         }
     }
-    println!("worst {worst:e}");
+    println!("receivers: worst {worst:.1e}");
+    // measured 5.8e-7
+    assert!(worst < 5e-6, "{worst:e}");
 }
 
 #[test]
@@ -136,6 +137,7 @@ fn modes_are_the_waves() {
     // the poles of thin layers nearest the real axis are the roots of the compound matrix
     use groundwave::soil::dispersion::{SurfaceWave, modes};
     let profile = named("paper_layered");
+    let mut worst = 0.0f64;
     for f in [5.0, 20.0, 50.0, 80.0] {
         let ground = ThinLayer::default().prepare(&profile, TAU * f, &[]).unwrap();
         let poles = ground.modes().unwrap();
@@ -144,7 +146,10 @@ fn modes_are_the_waves() {
         for mode in found.modes.iter().flatten() {
             let k2 = mode.k * mode.k;
             let nearest = poles.iter().map(|p| (p.kappa - k2).norm()).fold(f64::INFINITY, f64::min);
-            println!("{f} Hz: c = {:.3} m/s, {:.1e}", mode.phase_velocity, nearest / k2.norm());
+            worst = worst.max(nearest / k2.norm());
         }
     }
+    println!("modes: worst {worst:.1e} of k²");
+    // measured 1.3e-6: 6e-7 of k
+    assert!(worst < 2e-6, "{worst:e}");
 }

@@ -47,7 +47,7 @@ pub fn finite_all(g: &Compliance) -> bool {
     [g.u_xx, g.u_xz, g.u_zx, g.u_zz, g.u_yy].iter().all(|z| z.is_finite())
 }
 
-fn size(g: &Compliance) -> f64 {
+pub fn size(g: &Compliance) -> f64 {
     [g.u_xx, g.u_xz, g.u_zx, g.u_zz, g.u_yy].iter().map(|z| z.norm()).fold(0.0, f64::max)
 }
 
@@ -108,7 +108,7 @@ fn conjugate(solver: &dyn GroundSolver, input: &Ground) -> Verdict {
 
 /// The power ½ Re(tᴴ iω u) fed in by any tractions t is not negative: D = i(G − Gᴴ) has no negative eigenvalue for
 /// ω > 0. The most negative one, relative to the largest entry of G.
-fn indefiniteness(g: &DMatrix<Complex64>) -> f64 {
+pub fn indefiniteness(g: &DMatrix<Complex64>) -> f64 {
     let largest = g.iter().map(|z| z.norm()).fold(0.0, f64::max);
     let dissipation = (g - g.adjoint()) * (I / largest);
     if dissipation.iter().any(|z| !z.is_finite()) {

@@ -10,6 +10,7 @@ mod draw;
 mod ground;
 mod moving;
 mod strip;
+mod thin_layer;
 mod track;
 mod wrong;
 

@@ -163,10 +163,10 @@ impl Sublayer {
     pub fn anti_plane(&self, k: f64) -> LayerStiffness<1> {
         let n = self.shape.nodes;
         let mut full = [[Complex64::ZERO; 8]; 8];
-        for i in 0..n {
-            for j in 0..n {
+        for (i, row) in full.iter_mut().enumerate().take(n) {
+            for (j, value) in row.iter_mut().enumerate().take(n) {
                 let e = self.entry(i, j);
-                full[i][j] = k * k * e.a_z + e.c_x;
+                *value = k * k * e.a_z + e.c_x;
             }
         }
         eliminate(&mut full, 1..n - 1, n);

@@ -7,7 +7,8 @@
 //! ```
 //!
 //! thick, n the number of sublayers per Rayleigh wavelength, p the degree of the elements: of the waves with k > 2.6/d little is
-//! left there. Soil that hardly changes its volume, γ = (c_s/c_p)² ≪ 1, errs like 1/γ and gets thinner ones. In a half-space
+//! left there. Soil that hardly changes its volume, γ = (c_s/c_p)² ≪ 1, errs like 1/γ and gets thinner ones; so do resonances
+//! of layers with η < 0.02, which err like 1/η: there λ_R/n is (η/0.02)^{1/2p} as long, η taken as 0.002 at least. In a half-space
 //! follow matched layers: a linear layer of thickness L integrated at mid-depth is exact for the vertical wavenumber
 //! 2/L and turns back ((2 − sL)/(2 + sL))² of any other s. Thicknesses in geometric progression, real ones for the
 //! decaying field from k_max down to the smallest √(k² − k_p²) on the real axis, imaginary ones for waves leaving at
@@ -99,15 +100,16 @@ impl Mesh {
         mesh
     }
 
-    /// Matched layers instead of the half-space, the last one on rock.
-    pub fn matched(mut self, omega: f64, to: &Resolution) -> Self {
+    /// Matched layers instead of the half-space, the last one on rock, for loads and receivers at `depths`.
+    pub fn matched(mut self, omega: f64, depths: &[f64], to: &Resolution) -> Self {
         let Some(material) = self.half_space.take() else { return self };
         let wave = Wave::new(&material, omega);
-        let depth: f64 = self.sublayers.iter().map(|s| s.thickness.re).sum();
-        // of the waves with k > s_max nothing comes back from the half-space
+        let bottom: f64 = self.sublayers.iter().map(|s| s.thickness.re).sum();
+        let clear = bottom - depths.iter().copied().fold(0.0, f64::max);
+        // of the waves with k > s_max nothing comes back from the half-space to the deepest load or receiver
         let mut highest = 2.0 * to.k_max;
-        if depth > 0.0 {
-            highest = highest.min((0.5 * (1.0 / to.accuracy).ln() + 1.0) / depth);
+        if clear > 1e-9 * bottom {
+            highest = highest.min((0.5 * (1.0 / to.accuracy).ln() + 1.0) / clear);
         }
         let (low, high) = to.omega;
         let k_s = high / material.c_s();
@@ -147,8 +149,10 @@ fn cut(top: f64, layer: &Layer, depths: &[f64], to: &Resolution) -> Vec<f64> {
     let n = to.per_wavelength;
     let gamma = (layer.material.c_s() / layer.material.c_p()).powi(2);
     let soft = (2.0 * gamma).min(1.0).powf(0.5 / to.element.degree() as f64);
+    // what is wrong of the wave speed moves a resonance of width η
+    let sharp = (layer.material.loss_factor() / 0.02).clamp(0.1, 1.0).powf(0.5 / to.element.degree() as f64);
     // λ_R/n, and the least thickness beside a load
-    let longest = soft * TAU * layer.material.rayleigh_speed() / (n * to.omega.1);
+    let longest = sharp * soft * TAU * layer.material.rayleigh_speed() / (n * to.omega.1);
     let least = soft * 4.0 / (n * to.k_max);
     let growth = soft * 2.4 / n;
     let mut cuts = vec![top];

@@ -1,5 +1,9 @@
 //! The thin-layer method: finite elements in depth, exact along the ground, and modes that answer in closed form.
 //!
+//! G is right to a few times the accuracy asked, relative to its largest component. Near a resonance of lightly damped
+//! layers, an error ε of the wave speed counts ε/η: worst of random grounds with η from 0.2 %, up to four wavelengths
+//! thick, at 1e-6 asked: 2e-5 at the surface and in depth, 2e-6 in k_eq of a strip (test `laws::thin_layer`).
+//!
 //! Source: Waas 1972; Kausel & Peek 1982; Kausel 1986, 1994; linear in k² by the similarity of THEORY 2.
 
 mod element;
@@ -181,8 +185,11 @@ impl GroundSolver for ThinLayer {
         let resolution = self.resolution(omega_abs, self.k_max);
         let mesh = match self.below {
             BelowLayers::Matched => {
-                let mesh =
-                    Mesh::new(&split, omega_abs, &all, &resolution, 0.0).matched(omega_abs, &resolution);
+                let mesh = Mesh::new(&split, omega_abs, &all, &resolution, 0.0).matched(
+                    omega_abs,
+                    &all,
+                    &resolution,
+                );
                 let unknowns = 2 * mesh.size();
                 if unknowns > MOST_UNKNOWNS {
                     return Err(SoilError::Unknowns {
@@ -228,7 +235,8 @@ impl ThinLayerAt {
                 let layers: Vec<_> = self.mesh.sublayers.iter().map(|s| s.in_plane(k)).collect();
                 let direct = chain::displacements(&layers, None, 0)[0][(1, 1)];
                 // written so that NaN is refused
-                if !((modes.at_surface(k) - direct).norm() <= self.settings.accuracy * direct.norm()) {
+                let agrees = (modes.at_surface(k) - direct).norm() <= self.settings.accuracy * direct.norm();
+                if !agrees {
                     break;
                 }
                 lowest = if check == CHECKS - 1 { 0.0 } else { k };

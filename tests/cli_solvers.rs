@@ -1,0 +1,182 @@
+//! The command from outside: thin layers as solver and as witness, their settings, library soils with a solver.
+
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Command, Output};
+use tempfile::TempDir;
+
+const LAYERS: &str = r#"[[soil.layer]]
+thickness = 2.0
+young = 60e6
+poisson = 0.35
+density = 1500.0
+loss_factor = 0.06
+[soil.half_space]
+young = 200e6
+poisson = 0.35
+density = 1800.0
+loss_factor = 0.06
+"#;
+
+const TRACK: &str = r#"[track]
+kind = "beam"
+beam.bending_stiffness = 1.0e8
+beam.mass = 2000.0
+contact.half_width = 1.25
+contact.compatibility = "centre"
+[train]
+axles = [{ position = 0.0, load = 150e3 }]
+"#;
+
+const QUESTIONS: &str = "[critical_speed]\nspeeds = [100.0, 200.0, 300.0]\n[equivalent_stiffness]\nbeta = [0.2, 1.0]\n\
+                         frequencies = [0.0, 20.0]\n[surface_compliance]\nk = [0.1, 1.0]\nfrequencies = [0.0, 20.0]\n";
+
+/// A whole case: `[soil]` with the keys `soil`, then `rest`.
+fn case(soil: &str, rest: &str) -> String {
+    format!("title = \"A quick case\"\n[soil]\n{soil}\n{rest}")
+}
+
+struct Run {
+    folder: TempDir,
+    code: i32,
+    out: String,
+    err: String,
+}
+
+fn command(arguments: &[&str], folder: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_groundwave")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+/// The message on one line: a wrapped one reads the same.
+fn flat(bytes: &[u8]) -> String {
+    let text = String::from_utf8_lossy(bytes).replace(|c| "│╰╭─┬▲·×".contains(c), " ");
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn run(case: &str) -> Run {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("case.toml"), case).unwrap();
+    let output = command(&["run", "case.toml", "--out", "out"], folder.path());
+    let code = output.status.code().expect("the command ends by itself");
+    Run { folder, code, out: flat(&output.stdout), err: flat(&output.stderr) }
+}
+
+impl Run {
+    fn summary(&self) -> Value {
+        assert_eq!(self.code, 0, "{}", self.err);
+        serde_json::from_slice(&std::fs::read(self.folder.path().join("out/summary.json")).unwrap()).unwrap()
+    }
+
+    /// True if nothing stands beside the case file.
+    fn wrote_nothing(&self) -> bool {
+        std::fs::read_dir(self.folder.path()).unwrap().count() == 1
+    }
+}
+
+/// The case must be refused with code 2 and every one of `says`, and nothing written.
+fn refused(soil: &str, says: &[&str]) {
+    let run = run(&case(soil, &format!("{TRACK}{QUESTIONS}")));
+    assert_eq!(run.code, 2, "{soil}: {}", run.err);
+    assert!(run.wrote_nothing(), "{soil}");
+    for said in says {
+        assert!(run.err.contains(said), "no \"{said}\" in: {}", run.err);
+    }
+}
+
+fn with_layers(solver: &str) -> String {
+    format!("{solver}\n{LAYERS}")
+}
+
+#[test]
+fn thin_layers_answer_every_question() {
+    let critical = |kind: &str| {
+        let soil = with_layers(&format!("solver.kind = \"{kind}\""));
+        let run = run(&case(&soil, &format!("{TRACK}{QUESTIONS}")));
+        let summary = run.summary();
+        let file = run.folder.path().join("out/results.h5");
+        assert_eq!(groundwave::output::hdf5::read_text_attribute(&file, "solver").unwrap(), kind);
+        for study in ["critical_speed", "equivalent_stiffness", "surface_compliance"] {
+            assert!(summary.get(study).is_some(), "{study} in {summary}");
+        }
+        summary["critical_speed"]["critical_speed"].as_f64().unwrap()
+    };
+    let (exact, thin) = (critical("direct-stiffness"), critical("thin-layer"));
+    println!("{exact} {thin}");
+    // the maximum is refined to 0.1 m/s
+    assert!((thin - exact).abs() < 0.1, "{exact} {thin}");
+}
+
+#[test]
+fn thin_layers_verify() {
+    // below the critical speed; 1.7e-4 where the speeds reach to 300 m/s
+    let slow = QUESTIONS.replace("[100.0, 200.0, 300.0]", "[40.0, 80.0, 120.0]");
+    let run = run(&case(&with_layers("solver.verify = \"thin-layer\""), &format!("{TRACK}{slow}")));
+    let summary = run.summary();
+    assert_eq!(summary["verification"]["solver"], "thin-layer");
+    let largest = summary["verification"]["largest"].as_f64().unwrap();
+    println!("largest difference {largest:e}");
+    // measured 3.6e-5
+    assert!(largest > 0.0 && largest < 1e-4, "{largest:e}");
+    assert_eq!(run.out.matches("verified with thin-layer: largest difference").count(), 3, "{}", run.out);
+    assert!(!run.out.contains("disagree") && !run.out.contains("not-verified"), "{}", run.out);
+}
+
+#[test]
+fn settings_out_of_reach_are_refused() {
+    let solver = |settings: &str| with_layers(&format!("solver.kind = \"thin-layer\"\n{settings}"));
+    refused(
+        &solver("solver.sublayers_per_wavelength = 4.0\nsolver.element = \"cubic\"\nsolver.accuracy = 1e-6"),
+        &[
+            "case.toml:",
+            "soil.solver.sublayers_per_wavelength",
+            "4 sublayers",
+            "accuracy of 1e-6",
+            ": 8 would",
+        ],
+    );
+    refused(&solver("solver.accuracy = 0.5"), &["soil.solver.accuracy", "0.5", "between 1e-9 and 0.1"]);
+    refused(
+        &with_layers("solver.kind = \"direct-stiffness\"\nsolver.element = \"cubic\""),
+        &[
+            "soil.solver.element",
+            "belongs to the thin-layer solver, not to direct-stiffness",
+            "remove the key",
+        ],
+    );
+}
+
+#[test]
+fn library_soils_take_a_solver() {
+    let soil = "library = \"lamprea2022_layered\"\nsolver.kind = \"thin-layer\"\n";
+    let surface = "[surface_compliance]\nk = [0.1, 1.0]\nfrequencies = [0.0, 20.0]\n";
+    let run = run(&case(soil, &format!("{TRACK}{surface}")));
+    let summary = run.summary();
+    assert!(summary.get("surface_compliance").is_some(), "{summary}");
+    let file = run.folder.path().join("out/results.h5");
+    assert_eq!(groundwave::output::hdf5::read_text_attribute(&file, "solver").unwrap(), "thin-layer");
+    let both = format!("{soil}{LAYERS}");
+    refused(
+        &both,
+        &["soil.library", "a library soil and layers of its own are both given", "remove library"],
+    );
+    refused(
+        "library = \"lamprea2022_layerd\"\n",
+        &["soil.library", "no entry \"lamprea2022_layerd\"", "did you mean `lamprea2022_layered`?"],
+    );
+}
+
+/// 60 m of clay at 200 Hz: 240 wavelengths.
+#[test]
+fn too_many_sublayers_are_an_answer() {
+    let clay = "solver.kind = \"thin-layer\"\n[[soil.layer]]\nthickness = 60.0\nshear_speed = 50.0\n\
+                poisson = 0.49\ndensity = 1600.0\nloss_factor = 0.05\n[soil.half_space]\nshear_speed = 300.0\n\
+                poisson = 0.3\ndensity = 2000.0\nloss_factor = 0.05\n";
+    let surface = "[surface_compliance]\nk = [0.1, 1.0]\nfrequencies = [200.0]\n";
+    let run = run(&case(clay, &format!("{TRACK}{surface}")));
+    assert_eq!(run.code, 1, "{}", run.err);
+    for said in ["sublayers at 200.000 Hz", "more than the", "half_space = \"exact\"", "or direct-stiffness"]
+    {
+        assert!(run.err.contains(said), "no \"{said}\" in: {}", run.err);
+    }
+    assert!(run.wrote_nothing());
+}
