@@ -165,18 +165,16 @@ fn library_soils_take_a_solver() {
     );
 }
 
-/// 60 m of clay at 200 Hz: 240 wavelengths.
+/// 60 m of clay at 200 Hz, 240 wavelengths: too many sublayers for modes, so every wavenumber is answered by itself.
 #[test]
-fn too_many_sublayers_are_an_answer() {
-    let clay = "solver.kind = \"thin-layer\"\n[[soil.layer]]\nthickness = 60.0\nshear_speed = 50.0\n\
-                poisson = 0.49\ndensity = 1600.0\nloss_factor = 0.05\n[soil.half_space]\nshear_speed = 300.0\n\
-                poisson = 0.3\ndensity = 2000.0\nloss_factor = 0.05\n";
+fn many_sublayers_are_answered_without_modes() {
+    let clay = "solver.kind = \"thin-layer\"\nsolver.verify = \"direct-stiffness\"\n[[soil.layer]]\nthickness = 60.0\n\
+                shear_speed = 50.0\npoisson = 0.49\ndensity = 1600.0\nloss_factor = 0.05\n[soil.half_space]\n\
+                shear_speed = 300.0\npoisson = 0.3\ndensity = 2000.0\nloss_factor = 0.05\n";
     let surface = "[surface_compliance]\nk = [0.1, 1.0]\nfrequencies = [200.0]\n";
     let run = run(&case(clay, &format!("{TRACK}{surface}")));
-    assert_eq!(run.code, 1, "{}", run.err);
-    for said in ["sublayers at 200.000 Hz", "more than the", "half_space = \"exact\"", "or direct-stiffness"]
-    {
-        assert!(run.err.contains(said), "no \"{said}\" in: {}", run.err);
-    }
-    assert!(run.wrote_nothing());
+    assert_eq!(run.code, 0, "{}", run.err);
+    let largest = run.summary()["verification"]["largest"].as_f64().unwrap();
+    println!("{largest:e}");
+    assert!(largest < 1e-4, "{largest:e}");
 }

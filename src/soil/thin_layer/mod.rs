@@ -189,8 +189,7 @@ impl GroundSolver for ThinLayer {
         let mesh = match self.below {
             BelowLayers::Matched => {
                 let mesh = Mesh::new(&split, omega_abs, &all, &resolution, self.k.0);
-                let mesh = mesh.matched(omega_abs, &all, &resolution);
-                mesh
+                mesh.matched(omega_abs, &all, &resolution)
             }
             BelowLayers::Exact => {
                 Mesh { sublayers: Vec::new(), nodes: Vec::new(), interfaces: Vec::new(), half_space: None }
