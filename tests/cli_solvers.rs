@@ -178,3 +178,17 @@ fn many_sublayers_are_answered_without_modes() {
     println!("{largest:e}");
     assert!(largest < 1e-4, "{largest:e}");
 }
+
+/// Rock under 60 m of soft damped clay: at 30 Hz nothing comes back from it.
+#[test]
+fn rock_below_reach_is_a_concern() {
+    let clay = "base = \"rigid\"\n[[soil.layer]]\nthickness = 60.0\nshear_speed = 50.0\npoisson = 0.49\n\
+                density = 1600.0\nloss_factor = 0.05\n";
+    let surface = "[surface_compliance]\nk = [0.1, 1.0]\nfrequencies = [FREQUENCY]\n";
+    for (frequency, concerned) in [("2.0", false), ("30.0", true)] {
+        let surface = surface.replace("FREQUENCY", frequency);
+        let run = run(&case(clay, &format!("{TRACK}{surface}")));
+        assert_eq!(run.code, 0, "{}", run.err);
+        assert_eq!(run.summary()["concerns"].to_string().contains("deep-rock"), concerned, "{frequency}");
+    }
+}

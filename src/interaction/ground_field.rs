@@ -1,5 +1,7 @@
 //! The ground's surface around a moving train by two-dimensional inverse FFT.
 //!
+//! (long because the transform, what is taken out of it and put back in closed form, and its error share one grid)
+//!
 //! ```text
 //! ũ(β_x, β_y) = G(k, −β_x v) q̃(β_x) sinc(β_y b) Σ_j P_j e^{iβ_x a_j},   q̃ = k_eq ũ_base
 //! ```

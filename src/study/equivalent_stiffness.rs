@@ -55,7 +55,7 @@ impl EquivalentStiffness {
                 "equivalent stiffness of the ground under the track",
             )
             .variable("relative_error", &["omega", "beta"], error, "1", "estimated relative error of k_eq");
-        let concerns = pairs
+        let concerns: Vec<Concern> = pairs
             .iter()
             .zip(&values)
             .filter(|(_, v)| !v.converged)
@@ -97,7 +97,7 @@ impl EquivalentStiffness {
             group,
             figures: vec![(figure, "Modulus of the equivalent stiffness, one curve per frequency.".into())],
             answers: Vec::new(),
-            concerns,
+            concerns: concerns.into_iter().chain(model.deep_rock(&self.frequencies)).collect(),
         })
     }
 }

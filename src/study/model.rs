@@ -4,7 +4,7 @@ use super::{StudyError, speed_text};
 use crate::concern::Concern;
 use crate::foundation::{Foundation, FoundationError, LayeredSoil, Winkler};
 use crate::interaction::TrackOnFoundation;
-use crate::soil::{Compatibility, Profile, Solver, Strip};
+use crate::soil::{Base, Compatibility, Profile, Solver, Strip};
 use crate::track::Stack;
 use crate::vehicle::Train;
 
@@ -182,6 +182,32 @@ impl Model {
                     speed_text(speed)
                 ),
                 "check the speed and the soil; the response is then governed by material damping",
+            )
+        })
+    }
+
+    /// A concern if rock lies deeper than waves of the lowest of `frequencies` [Hz] above zero reach and come back from:
+    /// e^{−2 Σ h ηω/(2c_s)} below 1e-3.
+    pub fn deep_rock(&self, frequencies: &[f64]) -> Option<Concern> {
+        let Support::Ground(profile, _) = &self.support else { return None };
+        let lowest = frequencies.iter().copied().filter(|f| *f > 0.0).reduce(|a: f64, b: f64| a.min(b))?;
+        let decay: f64 = profile
+            .layers()
+            .iter()
+            .map(|l| {
+                l.thickness * l.material.loss_factor() * std::f64::consts::TAU * lowest / l.material.c_s()
+            })
+            .sum();
+        (profile.base() == Base::Rigid && decay > 1e3f64.ln()).then(|| {
+            Concern::new(
+                "deep-rock",
+                format!(
+                    "the rigid base at {:.1} m is deeper than waves reach: at {lowest} Hz they come back with {:.0e} of their \
+                     amplitude",
+                    profile.depth(),
+                    (-decay).exp()
+                ),
+                "a half-space of the lowest layer gives the same answer with less work",
             )
         })
     }

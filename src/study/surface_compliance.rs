@@ -99,7 +99,7 @@ impl SurfaceComplianceTable {
             group,
             figures: vec![(figure, "Modulus of the vertical compliance, one curve per frequency.".into())],
             answers: Vec::new(),
-            concerns: Vec::new(),
+            concerns: model.deep_rock(&self.frequencies).into_iter().collect(),
         })
     }
 }

@@ -245,12 +245,9 @@ impl ThinLayerAt {
     }
 
     fn anti_plane_modes(&self) -> Option<&Modes> {
-        let found = self.anti_plane.get_or_init(|| {
-            if self.mesh.sublayers.is_empty() {
-                return None;
-            }
-            Modes::anti_plane(&self.mesh.sublayers, &self.mesh.nodes, self.middle())
-        });
+        let found = self
+            .anti_plane
+            .get_or_init(|| Modes::anti_plane(&self.mesh.sublayers, &self.mesh.nodes, self.middle()));
         found.as_ref()
     }
 
@@ -279,9 +276,8 @@ impl ThinLayerAt {
 
     /// In-plane (u, w) per traction and anti-plane displacements at every depth, loads at depth number `source`.
     fn displacements(&self, k: f64, source: usize) -> (Vec<nalgebra::Matrix2<Complex64>>, Vec<Complex64>) {
-        let (Some(modes), Some(anti_plane)) = (self.modes_at(k), self.anti_plane_modes()) else {
-            return self.direct(k, source);
-        };
+        let Some(modes) = self.modes_at(k) else { return self.direct(k, source) };
+        let Some(anti_plane) = self.anti_plane_modes() else { return self.direct(k, source) };
         let in_plane = (0..self.depths.len())
             .map(|receiver| {
                 let (r, s) = (2 * receiver, 2 * source);
