@@ -1,7 +1,7 @@
 //! Thin layers against exact layers over random valid grounds, and the laws that hold however the ground is cut.
 //!
 //! Grounds are drawn within what the method is for: up to four wavelengths of ground above the base, k from 0.01 to
-//! 20 rad/m; every eleventh is ten wavelengths deep and answered without modes.
+//! 20 rad/m.
 
 use crate::draw::{Ground, Soil, log};
 use crate::ground::{difference, finite_all, indefiniteness, size};
@@ -31,7 +31,7 @@ fn soil() -> impl Strategy<Value = Soil> {
 fn inputs() -> impl Strategy<Value = Input> {
     let layers = prop::collection::vec((log(0.1, 20.0), soil()), 0..=4);
     let base = prop_oneof![3 => soil().prop_map(Some), 1 => Just(None)];
-    let waves = prop_oneof![2 => Just(0.0), 8 => log(1e-3, 4.0), 1 => log(8.0, 12.0)];
+    let waves = prop_oneof![2 => Just(0.0), 8 => log(1e-3, 4.0)];
     let k = || log(1e-2, 20.0);
     (layers, base, soil(), [k(), k(), k()], waves, 0.1..1.2).prop_map(
         |(mut layers, base, spare, wavenumbers, waves, fraction)| {

@@ -83,7 +83,10 @@ impl Mesh {
                 let thickness = Complex64::from(pair[1] - pair[0]);
                 mesh.sublayers.push(Sublayer { shape, thickness, wave });
                 node += shape.nodes - 1;
-                decay += slow * thickness.re;
+                // from the deepest load downward
+                if pair[0] >= deepest * (1.0 - 1e-9) {
+                    decay += slow * thickness.re;
+                }
                 if decay > gone && pair[1] > deepest {
                     break;
                 }
