@@ -1,7 +1,7 @@
 //! Thin layers against exact layers over random valid grounds, and the laws that hold however the ground is cut.
 //!
 //! Grounds are drawn within what the method is for: up to four wavelengths of ground above the base, k from 0.01 to
-//! 20 rad/m.
+//! 20 rad/m; every eleventh is ten wavelengths deep.
 
 use crate::draw::{Ground, Soil, log};
 use crate::ground::{difference, finite_all, indefiniteness, size};
@@ -31,7 +31,7 @@ fn soil() -> impl Strategy<Value = Soil> {
 fn inputs() -> impl Strategy<Value = Input> {
     let layers = prop::collection::vec((log(0.1, 20.0), soil()), 0..=4);
     let base = prop_oneof![3 => soil().prop_map(Some), 1 => Just(None)];
-    let waves = prop_oneof![2 => Just(0.0), 8 => log(1e-3, 4.0)];
+    let waves = prop_oneof![2 => Just(0.0), 8 => log(1e-3, 4.0), 1 => log(8.0, 12.0)];
     let k = || log(1e-2, 20.0);
     (layers, base, soil(), [k(), k(), k()], waves, 0.1..1.2).prop_map(
         |(mut layers, base, spare, wavenumbers, waves, fraction)| {
@@ -218,11 +218,11 @@ fn conjugate_and_finite() {
 
 // Measured: worst of the cases asked here. The elements are right to a few 1e-7; what is more stands near resonances of
 // lightly damped layers between stiff ones, where an error ε of the wave speed counts ε/η (see the solver's documentation).
-/// Measured 2.0e-5, of 1 % of the values above 1.7e-5, median 2.0e-7.
+/// Measured 2.7e-5, 1 % of the values above 1.7e-5, median 2.3e-7.
 const SURFACE: f64 = 5e-5;
-/// Measured 2.0e-5, the same resonance; 99 % below 7.3e-6, median 1.6e-7.
+/// Measured 2.8e-5, the same resonance; 99 % below 2.7e-5, median 4.0e-7.
 const IN_DEPTH: f64 = 5e-5;
-/// Measured 2.0e-6: the resonance is spread over the wavenumbers.
+/// Measured 2.7e-6: the resonance is spread over the wavenumbers.
 const STRIP: f64 = 1e-5;
 /// Measured 1.1e-9: rounding of the eigenproblem.
 const RECIPROCITY: f64 = 1e-7;

@@ -7,8 +7,10 @@
 //! ```
 //!
 //! thick, n the number of sublayers per Rayleigh wavelength, p the degree of the elements: of the waves with k > 2.6/d little is
-//! left there. Soil that hardly changes its volume, γ = (c_s/c_p)² ≪ 1, errs like 1/γ and gets thinner ones; so do resonances
-//! of layers with η < 0.02, which err like 1/η: there λ_R/n is (η/0.02)^{1/2p} as long, η taken as 0.002 at least. In a half-space
+//! left there. But what travels in a soft layer above a stiff one reaches it from any distance: at d′ below the soft
+//! layer, sublayers are at most max(λ_R/n of the soft layer, 2.4 d′/n) thick. Soil that hardly changes its volume,
+//! γ = (c_s/c_p)² ≪ 1, errs like 1/γ and gets thinner ones; so do resonances of lightly damped layers, where an error ε of
+//! the wave speed counts ε/η: there λ_R/n is (η/0.02)^{1/2p} as long, η taken as 0.002 at least. In a half-space
 //! follow matched layers: a linear layer of thickness L integrated at mid-depth is exact for the vertical wavenumber
 //! 2/L and turns back ((2 − sL)/(2 + sL))² of any other s. Thicknesses in geometric progression, real ones for the
 //! decaying field from k_max down to the smallest √(k² − k_p²) on the real axis, imaginary ones for waves leaving at
@@ -49,6 +51,8 @@ pub(super) struct Mesh {
     pub interfaces: Vec<usize>,
     /// Material below the sublayers; None on rock.
     pub half_space: Option<Material>,
+    /// Slowest c_s, the half-space included [m/s].
+    pub slowest: f64,
 }
 
 impl Mesh {
@@ -63,19 +67,23 @@ impl Mesh {
                 Base::HalfSpace(material) => Some(material),
                 Base::Rigid => None,
             },
+            slowest: profile.materials().map(Material::c_s).fold(f64::INFINITY, f64::min),
         };
         let deepest = depths.iter().copied().fold(0.0, f64::max);
         let gone = 0.5 * (1.0 / to.accuracy).ln() + 4.0;
         let (low, high) = to.omega;
         let (mut top, mut node, mut decay) = (0.0, 0, 0.0);
         let shape = to.element.shape();
+        // bottom and longest sublayer of the layers above
+        let mut above: Vec<(f64, f64)> = Vec::new();
         for layer in profile.layers() {
             let wave = Wave::new(&layer.material, omega);
             if decay > gone && top > deepest {
                 mesh.half_space = Some(layer.material);
                 break;
             }
-            let cuts = cut(top, layer, depths, to);
+            let longest = longest(&layer.material, to);
+            let cuts = cut(top, layer, depths, to, longest, &above);
             // slowly decaying waves: S at whichever end of the frequencies
             let slow = [low, high].map(|omega| Wave::new(&layer.material, omega).vertical(slowest).1.re);
             let slow = slow[0].min(slow[1]);
@@ -96,6 +104,7 @@ impl Mesh {
                 break;
             }
             top += layer.thickness;
+            above.push((top, longest));
             for (i, depth) in depths.iter().enumerate() {
                 if (depth - top).abs() <= 1e-9 * top {
                     (mesh.nodes[i], mesh.interfaces[i]) = (node, mesh.sublayers.len());
@@ -129,7 +138,8 @@ impl Mesh {
             slownesses.extend(geometric(k_s, lowest, count).map(|s| Complex64::new(0.0, s)));
             lowest
         };
-        highest = highest.max(2.0 * k_s).max(4.0 * lowest);
+        // nor less than what travels in softer layers above
+        highest = highest.max(2.0 * high / self.slowest).max(4.0 * lowest);
         let count = ((highest / lowest).ln() / spacing).ceil() as usize + 1;
         slownesses.extend(geometric(highest, lowest, count).map(Complex64::from));
         slownesses.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
@@ -148,16 +158,33 @@ fn geometric(from: f64, to: f64, count: usize) -> impl Iterator<Item = f64> {
     (0..count).map(move |i| from * (to / from).powf(i as f64 / (count - 1).max(1) as f64))
 }
 
-/// Depths at which a layer from `top` is cut, its faces included.
-fn cut(top: f64, layer: &Layer, depths: &[f64], to: &Resolution) -> Vec<f64> {
+/// min(1, (2γ)^{1/2p})
+fn soft(material: &Material, to: &Resolution) -> f64 {
+    let gamma = (material.c_s() / material.c_p()).powi(2);
+    (2.0 * gamma).min(1.0).powf(0.5 / to.element.degree() as f64)
+}
+
+/// λ_R/n of ordinary soil, the longest sublayer.
+fn longest(material: &Material, to: &Resolution) -> f64 {
+    // what is wrong of the wave speed moves a resonance of width η
+    let sharp = (material.loss_factor() / 0.02).clamp(0.1, 1.0).powf(0.5 / to.element.degree() as f64);
+    sharp * soft(material, to) * TAU * material.rayleigh_speed() / (to.per_wavelength * to.omega.1)
+}
+
+/// Depths at which a layer from `top` is cut, its faces included, into sublayers of at most `longest`; `above` are the bottoms
+/// and longest sublayers of the layers above it.
+fn cut(
+    top: f64,
+    layer: &Layer,
+    depths: &[f64],
+    to: &Resolution,
+    longest: f64,
+    above: &[(f64, f64)],
+) -> Vec<f64> {
     let bottom = top + layer.thickness;
     let n = to.per_wavelength;
-    let gamma = (layer.material.c_s() / layer.material.c_p()).powi(2);
-    let soft = (2.0 * gamma).min(1.0).powf(0.5 / to.element.degree() as f64);
-    // what is wrong of the wave speed moves a resonance of width η
-    let sharp = (layer.material.loss_factor() / 0.02).clamp(0.1, 1.0).powf(0.5 / to.element.degree() as f64);
-    // λ_R/n, and the least thickness beside a load
-    let longest = sharp * soft * TAU * layer.material.rayleigh_speed() / (n * to.omega.1);
+    let soft = soft(&layer.material, to);
+    // the least thickness beside a load
     let least = soft * 4.0 / (n * to.k_max);
     let growth = soft * 2.4 / n;
     let mut cuts = vec![top];
@@ -167,7 +194,8 @@ fn cut(top: f64, layer: &Layer, depths: &[f64], to: &Resolution) -> Vec<f64> {
         let near = std::iter::once(&0.0).chain(depths).map(|&d| {
             if d <= z + 1e-12 * bottom { growth * (z - d) } else { growth * (d - z) / (1.0 + growth) }
         });
-        z += near.fold(f64::INFINITY, f64::min).max(least).min(longest);
+        let entering = above.iter().map(|&(end, longest)| (growth * (z - end)).max(longest));
+        z += entering.fold(near.fold(f64::INFINITY, f64::min).max(least).min(longest), f64::min);
         cuts.push(z);
     }
     // stretched back to fit
