@@ -88,7 +88,7 @@ impl<'a> TrackOnFoundation<'a> {
     /// whether there is such a wavenumber.
     fn extent(&self, speed: f64) -> Result<(f64, f64, bool), InteractionError> {
         // in steps of ln ω that are the same at all speeds, so that foundations may keep what is dear at each ω
-        const STEP: f64 = 0.25;
+        const STEP: f64 = 0.5;
         let shift = if speed == 0.0 { 0.0 } else { speed.abs().ln() };
         // of an axle spread over 2a the spectrum falls slowly, but its signs change: sixty radians leave 1/60² of it
         let enough = if self.half_length > 0.0 { 60.0 / self.half_length } else { BETA_CAP };
@@ -235,12 +235,17 @@ impl MovingLoad {
         self.beta.iter().zip(&self.rail).map(|(beta, u)| (u * Complex64::cis(beta * x)).re).sum()
     }
 
+    /// The rail alone at `count` positions from `from` in steps of `step` [m].
+    pub fn rail_shape(&self, from: f64, step: f64, count: usize) -> Vec<f64> {
+        self.transform(&self.rail, from, step, count)
+    }
+
     /// Rail and base at `count` positions from `from` in steps of `step` [m].
     pub fn shape(&self, from: f64, step: f64, count: usize) -> Shape {
         Shape {
             from,
             step,
-            rail: self.transform(&self.rail, from, step, count),
+            rail: self.rail_shape(from, step, count),
             base: self.transform(&self.base, from, step, count),
         }
     }

@@ -4,14 +4,14 @@ use num_complex::Complex64;
 use std::f64::consts::PI;
 
 /// Chebyshev points per piece.
-const N: usize = 12;
+pub const NODES: usize = 12;
 
 /// A function on [from, to] as polynomials of degree 11 on pieces halved until their last coefficients vanish.
 #[derive(Clone, Debug)]
 pub struct Interpolant {
     /// Ends of the pieces, ascending; one more than there are pieces.
     ends: Vec<f64>,
-    coefficients: Vec<[Complex64; N]>,
+    coefficients: Vec<[Complex64; NODES]>,
     /// Evaluations of the function.
     pub count: usize,
     /// False where a piece was accepted at the smallest width without meeting the tolerance.
@@ -19,10 +19,10 @@ pub struct Interpolant {
 }
 
 impl Interpolant {
-    /// Interpolates `f` between consecutive `breakpoints` (ascending) until the last two Chebyshev coefficients of
-    /// each piece fall below the error `allowed(x, f(x))` at all its nodes.
+    /// Interpolates `f`, asked for all nodes of a piece at once, between consecutive `breakpoints` (ascending) until the last
+    /// two Chebyshev coefficients of each piece fall below the error `allowed(x, f(x))` at all its nodes.
     pub fn new(
-        mut f: impl FnMut(f64) -> Complex64,
+        mut f: impl FnMut(&[f64; NODES]) -> [Complex64; NODES],
         breakpoints: &[f64],
         allowed: impl Fn(f64, Complex64) -> f64,
     ) -> Self {
@@ -32,13 +32,13 @@ impl Interpolant {
         let mut todo: Vec<(f64, f64, u32)> =
             breakpoints.windows(2).rev().map(|pair| (pair[0], pair[1], 0)).collect();
         while let Some((from, to, depth)) = todo.pop() {
-            let nodes: [f64; N] = std::array::from_fn(|j| {
-                0.5 * (from + to) - 0.5 * (to - from) * (PI * (j as f64 + 0.5) / N as f64).cos()
+            let nodes: [f64; NODES] = std::array::from_fn(|j| {
+                0.5 * (from + to) - 0.5 * (to - from) * (PI * (j as f64 + 0.5) / NODES as f64).cos()
             });
-            let values = nodes.map(&mut f);
-            result.count += N;
+            let values = f(&nodes);
+            result.count += NODES;
             let coefficients = chebyshev_coefficients(&values);
-            let tail = coefficients[N - 1].norm().max(coefficients[N - 2].norm());
+            let tail = coefficients[NODES - 1].norm().max(coefficients[NODES - 2].norm());
             let small = nodes.iter().zip(&values).all(|(&x, &v)| tail <= allowed(x, v));
             if small || depth >= 14 {
                 result.converged &= small;
@@ -78,13 +78,13 @@ pub fn cubic_weights(t: f64) -> [f64; 4] {
     ]
 }
 
-/// c_n = (2 − δ_n0)/N Σ_j f_j T_n(x_j), x_j = −cos(π(j + ½)/N) ascending
-fn chebyshev_coefficients(values: &[Complex64; N]) -> [Complex64; N] {
+/// c_n = (2 − δ_n0)/NODES Σ_j f_j T_n(x_j), x_j = −cos(π(j + ½)/NODES) ascending
+fn chebyshev_coefficients(values: &[Complex64; NODES]) -> [Complex64; NODES] {
     std::array::from_fn(|n| {
         let sum: Complex64 = values
             .iter()
             .enumerate()
-            .map(|(j, v)| v * (PI * n as f64 * (j as f64 + 0.5) / N as f64).cos())
+            .map(|(j, v)| v * (PI * n as f64 * (j as f64 + 0.5) / NODES as f64).cos())
             .sum();
         // T_n(−x) = (−1)ⁿ T_n(x)
         sum * (if n == 0 {
@@ -93,7 +93,7 @@ fn chebyshev_coefficients(values: &[Complex64; N]) -> [Complex64; N] {
             2.0
         } else {
             -2.0
-        } / N as f64)
+        } / NODES as f64)
     })
 }
 
@@ -115,7 +115,7 @@ mod tests {
     fn follows_a_resonance() {
         // 1/(x − 1 + 0.01 i) on [0, 4]; measured 3e-9 of the maximum
         let f = |x: f64| 1.0 / Complex64::new(x - 1.0, 0.01);
-        let interpolant = Interpolant::new(f, &[0.0, 4.0], |_, f| 1e-8 * f.norm());
+        let interpolant = Interpolant::new(|x| x.map(f), &[0.0, 4.0], |_, f| 1e-8 * f.norm());
         assert!(interpolant.converged && interpolant.count < 1000, "{}", interpolant.count);
         for i in 0..=1000 {
             let x = 0.004 * f64::from(i);

@@ -44,12 +44,12 @@ fn superpose(response: &MovingLoad, train: &Train) -> (f64, Vec<f64>) {
     let from = -(length + BEHIND);
     let count = ((AHEAD - from) / STEP).round() as usize + 1;
     if train.axles().len() == 1 {
-        let rail = response.shape(from, STEP, count).rail;
+        let rail = response.rail_shape(from, STEP, count);
         return (from, rail.iter().map(|u| u * train.axles()[0].load).collect());
     }
     // w(x′) = Σ P_j w₁(x′ + a_j): the unit response is wanted up to AHEAD + length, two more for the interpolation
     let extra = (length / STEP).ceil() as usize + 3;
-    let unit = response.shape(from - STEP, STEP, count + extra).rail;
+    let unit = response.rail_shape(from - STEP, STEP, count + extra);
     let lead = train.axles()[0].position;
     let mut sum = vec![0.0; count];
     for axle in train.axles() {
@@ -95,8 +95,8 @@ fn extreme(response: &MovingLoad, train: &Train, from: f64, rail: &[f64], sign: 
     let start = from + STEP * (at as f64 - 1.0);
     let mut fine = vec![0.0; 17];
     for axle in train.axles() {
-        let shape = response.shape(start + axle.position - lead, FINE, fine.len());
-        fine.iter_mut().zip(shape.rail).for_each(|(sum, w)| *sum += sign * axle.load * w);
+        let shape = response.rail_shape(start + axle.position - lead, FINE, fine.len());
+        fine.iter_mut().zip(shape).for_each(|(sum, w)| *sum += sign * axle.load * w);
     }
     (largest(fine.into_iter()).0, false)
 }
