@@ -28,6 +28,8 @@ pub struct CaseInput {
     pub track_response: Option<TrackResponseInput>,
     /// Maps of the ground's surface.
     pub contour: Option<ContourInput>,
+    /// Rail and ground under a standing harmonic load.
+    pub receptance: Option<ReceptanceInput>,
     /// Table of k_eq(β, ω).
     pub equivalent_stiffness: Option<EquivalentStiffnessInput>,
     /// Table of G(k, ω).
@@ -457,6 +459,17 @@ pub enum QuantityInput {
     Along,
     /// u_y
     Across,
+}
+
+/// `[receptance]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ReceptanceInput {
+    /// f [Hz], above zero, ascending.
+    pub frequencies: Range<f64>,
+    /// Distances from the centre line of the track [m]; none by default.
+    #[serde(default)]
+    pub receivers: Vec<f64>,
 }
 
 /// `[equivalent_stiffness]`

@@ -9,8 +9,8 @@ use super::values::{Range, Speed};
 use crate::interaction::{Quantity, Window};
 use crate::soil::dispersion::SurfaceWave;
 use crate::study::{
-    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, Record, Study, SurfaceComplianceTable,
-    TrackResponse, same_speed, tag,
+    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, Receptance, Record, Study,
+    SurfaceComplianceTable, TrackResponse, same_speed, tag,
 };
 
 /// Farthest position a study may ask for [m].
@@ -261,6 +261,19 @@ fn dispersion(input: &DispersionInput) -> Result<Dispersion, Finding> {
     Ok(Dispersion { frequencies, modes, wave })
 }
 
+/// Distances from the centre line, ascending.
+fn receivers(values: &[f64], path: &str) -> Result<Vec<f64>, Finding> {
+    let values = numbers(&Range::List(values.to_vec()), path, "m", POSITIVE)?;
+    ascending(&values, path)?;
+    match values.iter().position(|y| *y > FARTHEST) {
+        Some(i) => {
+            let message = format!("{} m: farther than {FARTHEST} m", values[i]);
+            Err(Finding::new(format!("{path}[{i}]"), message))
+        }
+        None => Ok(values),
+    }
+}
+
 /// The studies a case asks for, in the order of this list.
 pub fn studies(
     input: &CaseInput,
@@ -281,6 +294,12 @@ pub fn studies(
     if let Some(study) = &input.contour {
         studies.push(Study::Contour(contour(study)?));
     }
+    if let Some(study) = &input.receptance {
+        let frequencies = numbers(&study.frequencies, "receptance.frequencies", "Hz", POSITIVE)?;
+        ascending(&frequencies, "receptance.frequencies")?;
+        let receivers = receivers(&study.receivers, "receptance.receivers")?;
+        studies.push(Study::Receptance(Receptance { frequencies, receivers }));
+    }
     if let Some(study) = &input.equivalent_stiffness {
         studies.push(Study::EquivalentStiffness(EquivalentStiffness {
             beta: numbers(&study.beta, "equivalent_stiffness.beta", "rad/m", POSITIVE)?,
@@ -295,7 +314,7 @@ pub fn studies(
     }
     if studies.is_empty() {
         return Err(Finding::new("", "the case asks for nothing").help(
-            "add at least one of [critical_speed], [dispersion], [track_response], [contour], [equivalent_stiffness], [surface_compliance]",
+            "add at least one of [critical_speed], [dispersion], [track_response], [contour], [receptance], [equivalent_stiffness], [surface_compliance]",
         ));
     }
     Ok(studies)

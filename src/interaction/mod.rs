@@ -2,8 +2,10 @@
 
 mod far_field;
 mod ground_field;
+mod harmonic_load;
 mod moving_load;
 
 pub use far_field::FarField;
 pub use ground_field::{Field, GroundField, GroundFieldError, GroundLoad, Quantity, Window};
+pub use harmonic_load::HarmonicLoad;
 pub use moving_load::{InteractionError, MovingLoad, MovingSpectrum, Shape, TrackOnFoundation};

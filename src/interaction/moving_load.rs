@@ -27,10 +27,10 @@ const MAX_COUNT: usize = 600_000;
 
 /// A stack on a foundation.
 pub struct TrackOnFoundation<'a> {
-    stack: &'a Stack,
-    foundation: &'a dyn Foundation,
+    pub(super) stack: &'a Stack,
+    pub(super) foundation: &'a dyn Foundation,
     /// Half-length of each axle's contact along the track [m]; 0 for a point on a rail.
-    half_length: f64,
+    pub(super) half_length: f64,
 }
 
 /// The response to a unit load at one speed, ready for any position.

@@ -6,6 +6,7 @@ mod critical_speed;
 mod dispersion;
 mod equivalent_stiffness;
 mod model;
+mod receptance;
 mod surface_compliance;
 mod track_response;
 
@@ -15,6 +16,7 @@ pub use critical_speed::CriticalSpeed;
 pub use dispersion::Dispersion;
 pub use equivalent_stiffness::EquivalentStiffness;
 pub use model::{Contact, Model, Support};
+pub use receptance::Receptance;
 pub use surface_compliance::SurfaceComplianceTable;
 pub use track_response::{Record, TrackResponse, same_speed, tag};
 
@@ -73,6 +75,8 @@ pub enum Study {
     TrackResponse(TrackResponse),
     /// What does the ground around the train do?
     Contour(Contour),
+    /// How much do rail and ground move under a standing harmonic load?
+    Receptance(Receptance),
     /// k_eq(β, ω)
     EquivalentStiffness(EquivalentStiffness),
     /// G(k, ω)
@@ -87,6 +91,7 @@ impl Study {
             Self::Dispersion(_) => "dispersion",
             Self::TrackResponse(_) => "track_response",
             Self::Contour(_) => "contour",
+            Self::Receptance(_) => "receptance",
             Self::EquivalentStiffness(_) => "equivalent_stiffness",
             Self::SurfaceCompliance(_) => "surface_compliance",
         }
@@ -102,6 +107,7 @@ impl Study {
             Self::Dispersion(study) => study.run(model, observer),
             Self::TrackResponse(study) => study.run(model, observer),
             Self::Contour(study) => study.run(model, observer),
+            Self::Receptance(study) => study.run(model, observer),
             Self::EquivalentStiffness(study) => study.run(model, observer),
             Self::SurfaceCompliance(study) => study.run(model, observer),
         }
@@ -126,6 +132,14 @@ impl Study {
             Self::Contour(study) => {
                 study.check(model)?;
                 model.check_damping(study.speeds.iter().copied())
+            }
+            Self::Receptance(study) => {
+                model.track()?;
+                if !study.receivers.is_empty() {
+                    model.receivers(&study.receivers)?;
+                }
+                // a standing load feels waves of every phase speed
+                model.check_damping(std::iter::once(f64::INFINITY))
             }
             Self::EquivalentStiffness(study) => {
                 model.foundation()?;
@@ -164,6 +178,16 @@ pub enum StudyError {
     NeedsTrain {
         /// Its name.
         study: &'static str,
+    },
+    /// A receiver on the track.
+    #[error(
+        "the receiver at {distance} m stands on the track, whose half-width is {half_width} m: receivers are distances from the          centre line of the track"
+    )]
+    OnTrack {
+        /// From the centre line [m].
+        distance: f64,
+        /// [m]
+        half_width: f64,
     },
     /// Ground under a point load sinks without end.
     #[error(

@@ -156,6 +156,19 @@ impl Model {
         }
     }
 
+    /// Refuses receivers, at `distances` [m] from the centre line, without layered ground or on the track.
+    ///
+    /// # Errors
+    /// `NeedsGround`, `OnTrack`.
+    pub fn receivers(&self, distances: &[f64]) -> Result<(), StudyError> {
+        self.ground("of receivers")?;
+        let half_width = self.contact.strip().map_or(0.0, |s| s.half_width);
+        match distances.iter().find(|y| y.abs() <= half_width) {
+            Some(&distance) => Err(StudyError::OnTrack { distance, half_width }),
+            None => Ok(()),
+        }
+    }
+
     /// Refuses phase speeds [m/s] at which undamped ground has a wave, and the integral over wavenumbers no value.
     ///
     /// # Errors
