@@ -263,6 +263,9 @@ fn dispersion(input: &DispersionInput) -> Result<Dispersion, Finding> {
 
 /// Distances from the centre line, ascending.
 fn receivers(values: &[f64], path: &str) -> Result<Vec<f64>, Finding> {
+    if values.is_empty() {
+        return Ok(Vec::new());
+    }
     let values = numbers(&Range::List(values.to_vec()), path, "m", POSITIVE)?;
     ascending(&values, path)?;
     match values.iter().position(|y| *y > FARTHEST) {

@@ -173,11 +173,15 @@ impl TrackOnFoundation<'_> {
             })
         };
         let waves = &ground.outline().wavenumbers;
+        let slowest = waves.last().copied().unwrap_or(0.0);
         receivers
             .iter()
             .map(|&y| {
                 let mut integrand = |beta: f64| {
-                    force(beta) * ground.receiver(beta, strip.half_width, y, 0.1 * ACCURACY).value
+                    force(beta)
+                        * ground
+                            .receiver(beta, strip.half_width, y, receiver_accuracy(beta, slowest, y))
+                            .value
                 };
                 let mut points = vec![0.0];
                 points.extend(waves.iter().copied());
@@ -204,4 +208,11 @@ impl TrackOnFoundation<'_> {
             })
             .collect()
     }
+}
+
+/// Relative accuracy of R(β; y) worth having: what decays like e^{−√(β² − k²)y} beside waves of wavenumber k = `slowest` is
+/// wanted relative to them, not to itself.
+fn receiver_accuracy(beta: f64, slowest: f64, y: f64) -> f64 {
+    let decay = (beta * beta - slowest * slowest).max(0.0).sqrt() * y;
+    (0.1 * ACCURACY * decay.exp()).min(0.1)
 }

@@ -16,6 +16,7 @@ pub mod half_space;
 mod layer_stiffness;
 mod material;
 mod profile;
+pub mod sampled;
 pub mod strip;
 pub mod thin_layer;
 pub mod transfer_matrix;
@@ -27,6 +28,7 @@ pub use direct_stiffness::DirectStiffness;
 pub use flexibility::Flexibility;
 pub use material::{Elastic, Material};
 pub use profile::{Base, Layer, Profile};
+pub use sampled::Sampled;
 pub use strip::{Compatibility, Strip};
 pub use thin_layer::ThinLayer;
 pub use transfer_matrix::TransferMatrix;
@@ -154,6 +156,21 @@ impl Solver {
             }
             exact => exact,
         }
+    }
+
+    /// `profile` at `omega` ≠ 0, ready for many integrals over wavenumbers up to `highest` [rad/m] and beyond, to `accuracy` of G.
+    ///
+    /// # Errors
+    /// As `prepare`.
+    pub fn prepare_many(
+        &self,
+        profile: &Profile,
+        omega: f64,
+        highest: f64,
+        accuracy: f64,
+    ) -> Result<Box<dyn PreparedGround>, SoilError> {
+        let ground = self.resolving((0.0, highest), accuracy, None).prepare(profile, omega, &[])?;
+        Ok(if self.has_modes() { ground } else { Box::new(Sampled::new(ground, highest)) })
     }
 
     /// True if modes at one frequency, dear to find, answer every wavenumber.

@@ -5,7 +5,6 @@ use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
 use crate::progress::Observer;
-use crate::soil::GroundSolver;
 use ndarray::Array2;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -45,8 +44,7 @@ impl Receptance {
                 let load = track.harmonic(omega, 0.0, 0.0)?;
                 let receivers = match (ground, model.contact().strip()) {
                     (Some((profile, solver)), Some(strip)) => {
-                        let solver = solver.resolving((0.0, K_MAX), GROUND_ACCURACY, None);
-                        let ground = solver.prepare(profile, omega, &[])?;
+                        let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
                         track.ground(omega, ground.as_ref(), strip, &self.receivers)?
                     }
                     _ => Vec::new(),
