@@ -13,7 +13,9 @@
 //! | 1 | [`soil`] | material → profile → compliance G(k, ω); the integral over a loaded strip; surface waves |
 //! | 1 | [`track`] | members (beams, masses) and links (springs, bars) in a vertical stack |
 //! | 1 | [`vehicle`] | axle loads |
+//! | 1 | [`signal`] | histories, their energy spectrum, filters |
 //! | 2 | [`foundation`] | what a track stands on: k(β, ω), of springs or of layered ground |
+//! | 2 | [`assessment`] | third octaves, levels, KB, weighted acceleration and dose, guide values |
 //! | 2 | [`output`] | HDF5, CSV, JSON, pictures, report |
 //! | 3 | [`interaction`] | a track on a foundation under moving loads; the field in the ground |
 //! | 4 | [`study`] | one file per question: critical speed, dispersion, track response, contour, tables |
@@ -45,6 +47,7 @@
 // Units stand in brackets all over the documentation: [m] and [N] are no links.
 #![allow(rustdoc::broken_intra_doc_links)]
 
+pub mod assessment;
 pub mod case;
 pub mod concern;
 pub mod dataset;
@@ -54,6 +57,7 @@ pub mod interaction;
 pub mod math;
 pub mod output;
 pub mod progress;
+pub mod signal;
 pub mod soil;
 pub mod study;
 pub mod track;

@@ -1,0 +1,60 @@
+//! What vibration means to people: measures of a velocity or acceleration history, and the guide values they are drawn against.
+//!
+//! A result states its weighting, averaging time and reference; the direction is that of the history. Nothing here
+//! judges: guide values are data.
+
+mod band_limit;
+mod kb_value;
+mod level;
+mod limits;
+mod peak_velocity;
+mod running_rms;
+mod third_octave;
+mod vibration_dose;
+mod weighting;
+
+pub use kb_value::{kb_f, kb_f_maximum, kb_signal, kb_transfer};
+pub use level::{Level, Reference};
+pub use limits::{GUIDE_VALUES, GuideValue, Quantity, guide_values};
+pub use peak_velocity::peak_velocity;
+pub use running_rms::{Averaging, maximum_running_rms, running_rms};
+pub use third_octave::{Band, rms};
+pub use vibration_dose::{combined_dose, vibration_dose};
+pub use weighting::Weighting;
+
+use crate::signal::SignalError;
+use thiserror::Error;
+
+/// Why a measure cannot be given.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum AssessmentError {
+    /// The history or spectrum does not serve.
+    #[error(transparent)]
+    Signal(#[from] SignalError),
+    /// No band contains the frequency.
+    #[error("{frequency} Hz lies in no third-octave band: give a positive, finite frequency")]
+    Frequency {
+        /// [Hz]
+        frequency: f64,
+    },
+    /// The range of bands is empty.
+    #[error("the third-octave bands from {from} Hz to {to} Hz are none: give the lower frequency first")]
+    Range {
+        /// [Hz]
+        from: f64,
+        /// [Hz]
+        to: f64,
+    },
+    /// The time of a passage has no meaning.
+    #[error("the passage time is {passage_time} s: it must be positive and finite")]
+    PassageTime {
+        /// [s]
+        passage_time: f64,
+    },
+    /// Zero has no level.
+    #[error("a velocity of {velocity} m/s has no level: it must be positive and finite")]
+    Velocity {
+        /// [m/s]
+        velocity: f64,
+    },
+}
