@@ -12,8 +12,9 @@
 //! | 0 | [`concern`], [`dataset`], [`figure`], [`progress`] | what studies hand on: doubts, arrays, pictures, progress |
 //! | 1 | [`soil`] | material → profile → compliance G(k, ω); the integral over a loaded strip; surface waves |
 //! | 1 | [`track`] | members (beams, masses) and links (springs, bars) in a vertical stack |
-//! | 1 | [`vehicle`] | axle loads |
 //! | 1 | [`signal`] | histories, their energy spectrum, filters |
+//! | 1 | [`vehicle`] | axle loads, bodies on springs, wheel–rail contact |
+//! | 1 | [`irregularity`] | published spectra of the rail's profile, profiles as sums of sinusoids |
 //! | 2 | [`foundation`] | what a track stands on: k(β, ω), of springs or of layered ground |
 //! | 2 | [`assessment`] | third octaves, levels, KB, weighted acceleration and dose, guide values |
 //! | 2 | [`output`] | HDF5, CSV, JSON, pictures, report |
@@ -54,6 +55,7 @@ pub mod dataset;
 pub mod figure;
 pub mod foundation;
 pub mod interaction;
+pub mod irregularity;
 pub mod math;
 pub mod output;
 pub mod progress;
@@ -67,6 +69,7 @@ pub use case::Case;
 pub use concern::Concern;
 pub use foundation::{Foundation, LayeredSoil, Winkler};
 pub use interaction::TrackOnFoundation;
+pub use irregularity::{Realisation, Spectrum};
 pub use progress::{Observer, Silent};
 pub use soil::{
     Base, Compatibility, DirectStiffness, Elastic, GroundSolver, Layer, Material, Profile, Solver, Strip,

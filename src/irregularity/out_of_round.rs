@@ -1,0 +1,60 @@
+//! Wheels that are not round.
+
+use super::{Component, IrregularityError, Realisation, finite, positive};
+use std::f64::consts::{PI, TAU};
+
+/// One harmonic of the radius of a wheel: amplitude · cos(order · angle + phase), positive outward.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Order {
+    /// Waves around the wheel: 1 is eccentricity.
+    pub order: u32,
+    /// [m]
+    pub amplitude: f64,
+    /// [rad]
+    pub phase: f64,
+}
+
+/// The profile that acts like a wheel of `radius` R [m] with harmonics `orders`: wavelengths 2πR/order, r = −(deviation of
+/// the radius), since a larger radius presses like a bump.
+///
+/// It belongs to one wheel: it does not come to the next wheel later, as the profile of a rail does. Linear contact; small
+/// deviations (no flats).
+///
+/// # Errors
+/// No order; order 0; a radius or amplitude that is not positive; a phase that is not finite.
+pub fn out_of_round(radius: f64, orders: &[Order]) -> Result<Realisation, IrregularityError> {
+    positive("wheel radius", radius, "m")?;
+    if orders.is_empty() {
+        return Err(IrregularityError::NoComponent);
+    }
+    let component = |o: &Order| {
+        if o.order == 0 {
+            return Err(IrregularityError::Order { order: o.order });
+        }
+        Ok(Component {
+            wavenumber: f64::from(o.order) / radius,
+            amplitude: positive("amplitude of an out-of-round wheel", o.amplitude, "m")?,
+            phase: finite("phase of an out-of-round wheel", o.phase, "rad")? + PI,
+        })
+    };
+    Ok(Realisation::new(orders.iter().map(component).collect::<Result<_, _>>()?, TAU * radius))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_eccentric_wheel_lifts_once_a_turn() {
+        let order = |order, amplitude| Order { order, amplitude, phase: 0.0 };
+        let r = out_of_round(0.46, &[order(1, 0.3e-3), order(3, 0.1e-3)]).unwrap();
+        let turn = TAU * 0.46;
+        assert_eq!(r.repeat_length(), turn);
+        // largest radius at x = 0: a bump of 0.4 mm; half a turn on, a dip of it; rounding of the phases
+        assert!((r.at(0.0) + 0.4e-3).abs() < 1e-18);
+        assert!((r.at(turn / 2.0) - 0.4e-3).abs() < 1e-18);
+        assert!((r.components()[1].wavelength() - turn / 3.0).abs() < 1e-15);
+        assert_eq!(out_of_round(0.46, &[order(0, 1e-3)]).unwrap_err(), IrregularityError::Order { order: 0 });
+        assert_eq!(out_of_round(0.46, &[]).unwrap_err(), IrregularityError::NoComponent);
+    }
+}

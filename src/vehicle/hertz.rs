@@ -1,0 +1,92 @@
+//! The contact of wheel and rail as a spring.
+
+use super::{BodyError, positive};
+
+/// Shape of the running surface of a wheel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tread {
+    /// Worn profile.
+    Worn,
+    /// New, conical profile.
+    Coned,
+}
+
+/// The Hertzian contact of one wheel: P = (δ/G)^{3/2}, P [N] the force, δ [m] the approach.
+///
+/// G = 3.86e-8 R^−0.115 of worn, 4.57e-8 R^−0.149 of coned wheels [m/N^{2/3}], R [m] the radius of the wheel.
+/// Source: Jenkins, Stephenson, Clayton, Morland & Lyon 1974, Railway Eng. J. 3(1), as quoted by Zhai, Wang & Cai 2009, Veh.
+/// Syst. Dyn. 47. No measured accuracy: fits to Hertz's theory.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hertz {
+    /// G [m/N^{2/3}]
+    g: f64,
+}
+
+impl Hertz {
+    /// A wheel of `radius` R [m] with a `tread`.
+    ///
+    /// # Errors
+    /// A radius that is not positive.
+    pub fn new(tread: Tread, radius: f64) -> Result<Self, BodyError> {
+        let r = positive("wheel radius", radius, "m")?;
+        let g = match tread {
+            Tread::Worn => 3.86e-8 * r.powf(-0.115),
+            Tread::Coned => 4.57e-8 * r.powf(-0.149),
+        };
+        Ok(Self { g })
+    }
+
+    /// P = (δ/G)^{3/2} [N] at `approach` δ [m], zero where wheel and rail are apart.
+    pub fn force(&self, approach: f64) -> f64 {
+        (approach.max(0.0) / self.g).powf(1.5)
+    }
+
+    /// k_H = dP/dδ = 1.5 P₀^{1/3}/G [N/m] of one wheel under its static `load` P₀ [N], half an axle load.
+    ///
+    /// # Errors
+    /// A load that is not positive: an unloaded contact has no stiffness.
+    pub fn stiffness(&self, load: f64) -> Result<f64, BodyError> {
+        Ok(1.5 * positive("wheel load", load, "N")?.cbrt() / self.g)
+    }
+
+    /// k_H [N/m] of a wheelset, two wheels that share the `axle_load` [N].
+    ///
+    /// # Errors
+    /// A load that is not positive.
+    pub fn wheelset_stiffness(&self, axle_load: f64) -> Result<f64, BodyError> {
+        Ok(2.0 * self.stiffness(0.5 * axle_load)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stiffness_is_the_slope_of_the_force() {
+        for tread in [Tread::Worn, Tread::Coned] {
+            let hertz = Hertz::new(tread, 0.46).unwrap();
+            let approach = 75e3f64.powf(2.0 / 3.0) * hertz.g;
+            let h = 1e-5 * approach;
+            let slope = (hertz.force(approach + h) - hertz.force(approach - h)) / (2.0 * h);
+            // central difference: h²/24 of relative third derivative
+            assert!((slope / hertz.stiffness(75e3).unwrap() - 1.0).abs() < 1e-9);
+            assert_eq!(hertz.force(-1e-6), 0.0);
+        }
+    }
+
+    #[test]
+    fn of_the_size_codes_use() {
+        // worn, R = 0.46 m, 75 kN: G = 3.86e-8 · 1.09340 = 4.2205e-8, k = 1.5 · 42.1716/G = 1.4988e9 N/m; its five digits
+        let hertz = Hertz::new(Tread::Worn, 0.46).unwrap();
+        assert!((hertz.stiffness(75e3).unwrap() / 1.4988e9 - 1.0).abs() < 1e-4);
+        assert_eq!(hertz.wheelset_stiffness(150e3).unwrap(), 2.0 * hertz.stiffness(75e3).unwrap());
+    }
+
+    #[test]
+    fn refuses_nonsense() {
+        assert!(Hertz::new(Tread::Worn, 0.0).is_err());
+        let error = Hertz::new(Tread::Coned, 0.46).unwrap().stiffness(0.0).unwrap_err();
+        assert_eq!(error.to_string(), "wheel load is 0 N: it must be finite and above zero");
+    }
+}
