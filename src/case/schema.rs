@@ -30,6 +30,10 @@ pub struct CaseInput {
     pub contour: Option<ContourInput>,
     /// Rail and ground under a standing harmonic load.
     pub receptance: Option<ReceptanceInput>,
+    /// Roughness of the rail.
+    pub irregularity: Option<IrregularityInput>,
+    /// Vibration of the ground beside the track during a pass.
+    pub free_field: Option<FreeFieldInput>,
     /// Table of k_eq(β, ω).
     pub equivalent_stiffness: Option<EquivalentStiffnessInput>,
     /// Table of G(k, ω).
@@ -350,6 +354,10 @@ pub struct TrainInput {
     pub reversed: bool,
     /// Length over couplers [m], the distance at which `count` repeats the axles.
     pub length: Option<f64>,
+    /// Unsprung mass of each wheelset [kg], where dynamics are wanted.
+    pub unsprung_mass: Option<f64>,
+    /// Contact of wheels and rails, where dynamics are wanted.
+    pub wheel_rail: Option<WheelRailInput>,
 }
 
 /// One axle.
@@ -470,6 +478,76 @@ pub struct ReceptanceInput {
     /// Distances from the centre line of the track [m]; none by default.
     #[serde(default)]
     pub receivers: Vec<f64>,
+}
+
+/// `train.wheel_rail`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WheelRailInput {
+    /// k_H of each wheelset [N/m].
+    pub stiffness: Option<f64>,
+    /// Radius of the wheels [m], instead of the stiffness: Hertz contact under the mean axle load.
+    pub radius: Option<f64>,
+    /// Profile of the wheels, with a radius; worn by default.
+    pub tread: Option<TreadInput>,
+}
+
+/// `train.wheel_rail.tread`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum TreadInput {
+    /// G = 3.86e-8 R^−0.115
+    Worn,
+    /// G = 4.57e-8 R^−0.149
+    Coned,
+}
+
+/// `[irregularity]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct IrregularityInput {
+    /// Which spectrum.
+    pub kind: IrregularityKind,
+    /// Class 1 to 6 (fra-break-wavenumber, fra-corner).
+    pub class: Option<u8>,
+    /// Quality: low, high (german), good, poor (sncf).
+    pub quality: Option<String>,
+    /// S₀ at 0.1 cycles/m [m³] (iso8608).
+    pub roughness: Option<f64>,
+    /// Shortest and longest wavelength [m].
+    pub wavelengths: SpanInput,
+}
+
+/// `irregularity.kind`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum IrregularityKind {
+    /// FRA classes in the form with break wavenumbers (Corbin).
+    FraBreakWavenumber,
+    /// FRA classes in the AAR form with one corner.
+    FraCorner,
+    /// German low or high disturbance.
+    German,
+    /// SNCF good or poor.
+    Sncf,
+    /// Chinese ballastless high-speed line.
+    ChinaBallastless,
+    /// ISO 8608.
+    Iso8608,
+}
+
+/// `[free_field]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FreeFieldInput {
+    /// v
+    pub speed: Speed,
+    /// Distances from the centre line of the track [m], ascending.
+    pub receivers: Vec<f64>,
+    /// T [s], over which the energy of the pass is averaged; by default train length and twice the farthest receiver over v.
+    pub passage_time: Option<f64>,
+    /// Bands from the one with the lower to the one with the upper frequency [Hz]; 1 to 80 Hz by default.
+    pub frequencies: Option<SpanInput>,
 }
 
 /// `[equivalent_stiffness]`

@@ -2,14 +2,18 @@
 
 use super::error::Finding;
 use super::schema::{
-    CaseInput, ContourInput, DispersionInput, MeasuredInput, QuantityInput, SpanInput, TrackResponseInput,
+    CaseInput, ContourInput, DispersionInput, FreeFieldInput, IrregularityInput, IrregularityKind, MeasuredInput, QuantityInput, SpanInput, TrackResponseInput,
     WaveInput,
 };
 use super::values::{Range, Speed};
+use crate::assessment::Band;
 use crate::interaction::{Quantity, Window};
+use crate::irregularity::{
+    ChinaBallastless, FraBreakWavenumber, FraCorner, German, IrregularityError, Iso8608, Sncf, Spectrum,
+};
 use crate::soil::dispersion::SurfaceWave;
 use crate::study::{
-    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, Receptance, Record, Study,
+    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Receptance, Roughness, Record, Study,
     SurfaceComplianceTable, TrackResponse, same_speed, tag,
 };
 
@@ -277,9 +281,127 @@ fn receivers(values: &[f64], path: &str) -> Result<Vec<f64>, Finding> {
     }
 }
 
+/// `[irregularity]`
+fn spectrum(input: &IrregularityInput) -> Result<Spectrum, Finding> {
+    let kind = match input.kind {
+        IrregularityKind::FraBreakWavenumber => "fra-break-wavenumber",
+        IrregularityKind::FraCorner => "fra-corner",
+        IrregularityKind::German => "german",
+        IrregularityKind::Sncf => "sncf",
+        IrregularityKind::ChinaBallastless => "china-ballastless",
+        IrregularityKind::Iso8608 => "iso8608",
+    };
+    let wanted = match input.kind {
+        IrregularityKind::FraBreakWavenumber | IrregularityKind::FraCorner => "class",
+        IrregularityKind::German | IrregularityKind::Sncf => "quality",
+        IrregularityKind::ChinaBallastless => "",
+        IrregularityKind::Iso8608 => "roughness",
+    };
+    let given = [
+        ("class", input.class.is_some()),
+        ("quality", input.quality.is_some()),
+        ("roughness", input.roughness.is_some()),
+    ];
+    if let Some((key, _)) = given.iter().find(|(key, there)| *there && *key != wanted) {
+        return Err(Finding::new(format!("irregularity.{key}"), format!("the kind {kind} has no {key}"))
+            .help(if wanted.is_empty() { "remove it".into() } else { format!("it has {wanted}") }));
+    }
+    let at = format!("irregularity.{wanted}");
+    let missing = || Finding::new("irregularity", format!("the kind {kind} needs {wanted}"));
+    let fault = |error: IrregularityError| Finding::new(&at, error);
+    let quality = |names: [&str; 2]| {
+        let found = input.quality.as_deref().ok_or_else(missing)?;
+        names.iter().position(|n| *n == found).ok_or_else(|| {
+            let message = format!("the kind {kind} has no quality \"{found}\"");
+            Finding::new(&at, message).help(format!("allowed: {}, {}", names[0], names[1]))
+        })
+    };
+    Ok(match input.kind {
+        IrregularityKind::FraBreakWavenumber => Spectrum::FraBreakWavenumber(
+            FraBreakWavenumber::new(input.class.ok_or_else(missing)?).map_err(fault)?,
+        ),
+        IrregularityKind::FraCorner => {
+            Spectrum::FraCorner(FraCorner::new(input.class.ok_or_else(missing)?).map_err(fault)?)
+        }
+        IrregularityKind::German => {
+            Spectrum::German([German::Low, German::High][quality(["low", "high"])?])
+        }
+        IrregularityKind::Sncf => Spectrum::Sncf([Sncf::Good, Sncf::Poor][quality(["good", "poor"])?]),
+        IrregularityKind::ChinaBallastless => Spectrum::ChinaBallastless(ChinaBallastless),
+        IrregularityKind::Iso8608 => {
+            Spectrum::Iso8608(Iso8608::new(input.roughness.ok_or_else(missing)?).map_err(fault)?)
+        }
+    })
+}
+
+/// What of the train the dynamics need.
+pub struct Wheels {
+    /// Unsprung mass of each wheelset [kg].
+    pub unsprung_mass: f64,
+    /// k_H of each wheelset [N/m].
+    pub contact: f64,
+}
+
+/// Longest passage a case may ask for [s].
+const LONGEST_PASSAGE: f64 = 3600.0;
+
+fn free_field(
+    input: &FreeFieldInput,
+    case: &CaseInput,
+    wheels: Option<&Wheels>,
+) -> Result<FreeField, Finding> {
+    let speed = speeds(&Range::List(vec![input.speed]), "free_field.speed")
+        .map_err(|_| Finding::new("free_field.speed", format!("{} m/s: it must be above zero", input.speed.0)))?[0];
+    if speed <= 0.0 {
+        return Err(Finding::new("free_field.speed", format!("{speed} m/s: it must be above zero")));
+    }
+    let receivers = receivers(&input.receivers, "free_field.receivers")?;
+    if receivers.is_empty() {
+        return Err(Finding::new("free_field.receivers", "the list is empty").help("give at least one distance [m]"));
+    }
+    let passage_time = input.passage_time;
+    if let Some(time) = passage_time
+        && !(time > 0.0 && time <= LONGEST_PASSAGE)
+    {
+        let message = format!("{time} s: it must lie above 0 and up to {LONGEST_PASSAGE} s");
+        return Err(Finding::new("free_field.passage_time", message));
+    }
+    let (from, to) = match input.frequencies {
+        Some(range) => span(range, "free_field.frequencies")?,
+        None => (1.0, 80.0),
+    };
+    if !(from >= 0.1 && to <= 1000.0) {
+        let message = format!("from {from} to {to} Hz: they must lie between 0.1 and 1000 Hz");
+        return Err(Finding::new("free_field.frequencies", message));
+    }
+    let bands = Band::range(from, to).map_err(|e| Finding::new("free_field.frequencies", e))?;
+    let roughness = match (&case.irregularity, wheels) {
+        (None, _) => None,
+        (Some(_), None) => {
+            return Err(Finding::new("train", "the wheels have no mass to follow the irregularity with")
+                .help("add unsprung_mass [kg per wheelset] and wheel_rail.stiffness [N/m] or wheel_rail.radius [m]"));
+        }
+        (Some(irregularity), Some(wheels)) => {
+            let wavelengths = span(irregularity.wavelengths, "irregularity.wavelengths")?;
+            if wavelengths.0 < 0.01 {
+                let message = format!("from {} m: the shortest must be at least 0.01 m", wavelengths.0);
+                return Err(Finding::new("irregularity.wavelengths.from", message));
+            }
+            Some(Roughness {
+                unsprung_mass: wheels.unsprung_mass,
+                contact: wheels.contact,
+                spectrum: spectrum(irregularity)?,
+                wavelengths,
+            })
+        }
+    };
+    Ok(FreeField { speed, receivers, passage_time, bands, roughness })
+}
+
 /// The studies a case asks for, in the order of this list.
 pub fn studies(
     input: &CaseInput,
+    wheels: Option<&Wheels>,
     files: &dyn Fn(&str) -> Result<String, String>,
 ) -> Result<Vec<Study>, Finding> {
     let mut studies = Vec::new();
@@ -303,6 +425,12 @@ pub fn studies(
         let receivers = receivers(&study.receivers, "receptance.receivers")?;
         studies.push(Study::Receptance(Receptance { frequencies, receivers }));
     }
+    if let Some(study) = &input.free_field {
+        studies.push(Study::FreeField(Box::new(free_field(study, input, wheels)?)));
+    } else if input.irregularity.is_some() {
+        let finding = Finding::new("irregularity", "no study uses the roughness of the rail");
+        return Err(finding.help("add [free_field], or remove [irregularity]"));
+    }
     if let Some(study) = &input.equivalent_stiffness {
         studies.push(Study::EquivalentStiffness(EquivalentStiffness {
             beta: numbers(&study.beta, "equivalent_stiffness.beta", "rad/m", POSITIVE)?,
@@ -317,7 +445,7 @@ pub fn studies(
     }
     if studies.is_empty() {
         return Err(Finding::new("", "the case asks for nothing").help(
-            "add at least one of [critical_speed], [dispersion], [track_response], [contour], [receptance], [equivalent_stiffness], [surface_compliance]",
+            "add at least one of [critical_speed], [dispersion], [track_response], [contour], [receptance], [free_field], [equivalent_stiffness], [surface_compliance]",
         ));
     }
     Ok(studies)

@@ -4,8 +4,12 @@ mod far_field;
 mod ground_field;
 mod harmonic_load;
 mod moving_load;
+mod section;
+mod wheel_rail;
 
 pub use far_field::FarField;
 pub use ground_field::{Field, GroundField, GroundFieldError, GroundLoad, Quantity, Window};
 pub use harmonic_load::HarmonicLoad;
 pub use moving_load::{InteractionError, MovingLoad, MovingSpectrum, Shape, TrackOnFoundation};
+pub use section::Section;
+pub use wheel_rail::WheelRail;

@@ -5,6 +5,7 @@ mod contour;
 mod critical_speed;
 mod dispersion;
 mod equivalent_stiffness;
+mod free_field;
 mod model;
 mod receptance;
 mod surface_compliance;
@@ -15,6 +16,7 @@ pub use contour::Contour;
 pub use critical_speed::CriticalSpeed;
 pub use dispersion::Dispersion;
 pub use equivalent_stiffness::EquivalentStiffness;
+pub use free_field::{FreeField, Roughness};
 pub use model::{Contact, Model, Support};
 pub use receptance::Receptance;
 pub use surface_compliance::SurfaceComplianceTable;
@@ -77,6 +79,8 @@ pub enum Study {
     Contour(Contour),
     /// How much do rail and ground move under a standing harmonic load?
     Receptance(Receptance),
+    /// How much does a passing train shake the ground beside the track?
+    FreeField(Box<FreeField>),
     /// k_eq(β, ω)
     EquivalentStiffness(EquivalentStiffness),
     /// G(k, ω)
@@ -92,6 +96,7 @@ impl Study {
             Self::TrackResponse(_) => "track_response",
             Self::Contour(_) => "contour",
             Self::Receptance(_) => "receptance",
+            Self::FreeField(_) => "free_field",
             Self::EquivalentStiffness(_) => "equivalent_stiffness",
             Self::SurfaceCompliance(_) => "surface_compliance",
         }
@@ -108,6 +113,7 @@ impl Study {
             Self::TrackResponse(study) => study.run(model, observer),
             Self::Contour(study) => study.run(model, observer),
             Self::Receptance(study) => study.run(model, observer),
+            Self::FreeField(study) => study.run(model, observer),
             Self::EquivalentStiffness(study) => study.run(model, observer),
             Self::SurfaceCompliance(study) => study.run(model, observer),
         }
@@ -141,6 +147,7 @@ impl Study {
                 // a standing load feels waves of every phase speed
                 model.check_damping(std::iter::once(f64::INFINITY))
             }
+            Self::FreeField(study) => study.check(model),
             Self::EquivalentStiffness(study) => {
                 model.foundation()?;
                 let omega = std::f64::consts::TAU * study.frequencies.iter().copied().fold(0.0, f64::max);
@@ -164,6 +171,12 @@ pub enum StudyError {
     /// The ground failed.
     #[error(transparent)]
     Soil(#[from] SoilError),
+    /// A vehicle failed.
+    #[error(transparent)]
+    Vehicle(#[from] crate::vehicle::BodyError),
+    /// A measure of vibration failed.
+    #[error(transparent)]
+    Assessment(#[from] crate::assessment::AssessmentError),
     /// The field failed.
     #[error(transparent)]
     Field(#[from] GroundFieldError),

@@ -1,0 +1,84 @@
+//! The ground across the track at one ω: what a force on the rail does to receivers, for any β.
+//!
+//! ```text
+//! h(β, ω; y) = k_eq ũ_base R(β, ω; y)
+//! ```
+//!
+//! is the displacement at y [m per N/m] of a unit force per metre e^{i(ωt + βx)} on the rail, R the receiver integral. It is even in β.
+//! A force P e^{iω̃t} moving at v passes a receiver at x = 0 as the spectrum û(ω) = (P/v) h((ω̃ − ω)/v, ω).
+
+use crate::math::interpolation::Interpolant;
+use crate::soil::{PreparedGround, Strip};
+use crate::track::Stack;
+use num_complex::Complex64;
+
+/// Error of h relative to its largest value.
+const ACCURACY: f64 = 1e-3;
+
+/// h at one ω for some receivers.
+pub struct Section {
+    transfers: Vec<Interpolant>,
+    /// Largest β that reaches a receiver [rad/m].
+    reach: Vec<f64>,
+}
+
+impl Section {
+    /// `stack` on `ground`, prepared at `omega` > 0, with receivers at distances `receivers` [m], all beyond the strip.
+    ///
+    /// Accuracy: 1e-3 of the largest value (test `cross_solver::free_field`).
+    pub fn new(
+        stack: &Stack,
+        ground: &dyn PreparedGround,
+        strip: Strip,
+        omega: f64,
+        receivers: &[f64],
+    ) -> Self {
+        let waves = &ground.outline().wavenumbers;
+        let slowest = waves.last().copied().unwrap_or(0.0);
+        // 1/k_eq is smooth beside h: one table serves all receivers
+        let beta_max = |y: f64| slowest.hypot((1e4f64.ln() + 2.0) / (y - 0.5 * strip.half_width));
+        let points = |top: f64| {
+            let mut points = vec![0.0];
+            points.extend(waves.iter().copied().filter(|k| *k < 0.999 * top));
+            points.dedup_by(|a, b| *a - *b < 1e-6 * *a);
+            points.push(top);
+            points
+        };
+        let widest = receivers.iter().map(|&y| beta_max(y)).fold(0.0, f64::max);
+        let compliance = Interpolant::new(
+            |nodes| nodes.map(|beta| ground.strip(beta, strip, 0.1 * ACCURACY).value),
+            &points(widest),
+            |_, value| 0.1 * ACCURACY * value.norm(),
+        );
+        let force = |beta: f64| {
+            let stiffness = 1.0 / compliance.at(beta);
+            stack.respond(beta, omega, stiffness).base * stiffness
+        };
+        let (mut transfers, mut reach) = (Vec::new(), Vec::new());
+        for &y in receivers {
+            let top = beta_max(y);
+            let h = |beta: f64| {
+                let decay = ((beta * beta - slowest * slowest).max(0.0).sqrt() * y).exp();
+                let relative = (0.1 * ACCURACY * decay).min(0.1);
+                force(beta) * ground.receiver(beta, strip.half_width, y, relative).value
+            };
+            let largest = (0..=12).map(|i| h(slowest * f64::from(i) / 12.0).norm()).fold(0.0, f64::max);
+            let table =
+                Interpolant::new(|nodes| nodes.map(h), &points(top), |_, _| 0.3 * ACCURACY * largest);
+            transfers.push(table);
+            reach.push(top);
+        }
+        Self { transfers, reach }
+    }
+
+    /// h(β) at receiver number `receiver` [m per N/m]; 0 where β is too short a wave to arrive.
+    pub fn transfer(&self, receiver: usize, beta: f64) -> Complex64 {
+        let beta = beta.abs();
+        if beta > self.reach[receiver] { Complex64::ZERO } else { self.transfers[receiver].at(beta) }
+    }
+
+    /// False where a table was accepted without meeting its tolerance.
+    pub fn converged(&self) -> bool {
+        self.transfers.iter().all(|t| t.converged)
+    }
+}

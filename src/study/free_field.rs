@@ -1,0 +1,527 @@
+//! How much does a passing train shake the ground beside the track?
+//!
+//! Quasi-static part: the axle loads, constant and moving. Dynamic part: forces of the wheels on a rough rail, the expected value
+//! over all profiles of a spectrum. Both as energy of a pass in exact base-10 third octaves,
+//!
+//! ```text
+//! û_qs(ω) = (1/v) h(−ω/v, ω) Σ_i P_i e^{−iωa_i/v}
+//! E|û_dyn(ω)|² = ∫ ½ S(Ω) ( |H(Ω)|² + |H(−Ω)|² )/v² dΩ,   H(±Ω) = h(β, ω) Σ_i P_i(±Ω) e^{iβa_i},  β = ±Ω − ω/v
+//! v_rms = √( (1/π) ∫_band ω²|û|² dω / T )
+//! ```
+
+use super::{Answer, Model, Outcome, StudyError, speed_text};
+use crate::assessment::{Band, Level, Reference, rms};
+use crate::concern::Concern;
+use crate::dataset::Group;
+use crate::figure::{Figure, LineFigure, Series, Stroke};
+use crate::foundation::LayeredSoil;
+use crate::interaction::{Section, TrackOnFoundation, WheelRail};
+use crate::irregularity::Spectrum;
+use crate::math::interpolation::cubic_weights;
+use crate::progress::Observer;
+use crate::soil::Solver;
+use crate::vehicle::{Multibody, Train};
+use nalgebra::DMatrix;
+use ndarray::{Array1, Array2};
+use num_complex::Complex64;
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Frequencies in a band at which the ground is asked.
+const PER_BAND: usize = 4;
+/// Driving frequencies at which the rail is asked, per factor e.
+const PER_UNIT: f64 = 10.0;
+/// Components of the profile at least, per factor e of wavelength.
+const COMPONENTS: f64 = 200.0;
+/// Accuracy of G, and the wavenumbers thin layers must resolve [rad/m].
+const GROUND_ACCURACY: f64 = 1e-4;
+const K_MAX: f64 = 30.0;
+
+/// Wheels that follow a rough rail.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Roughness {
+    /// Unsprung mass of each wheelset [kg].
+    pub unsprung_mass: f64,
+    /// k_H of each wheelset [N/m].
+    pub contact: f64,
+    /// S(Ω) of the profile.
+    pub spectrum: Spectrum,
+    /// Shortest and longest wavelength [m].
+    pub wavelengths: (f64, f64),
+}
+
+/// Velocity of the ground's surface at some receivers during one pass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeField {
+    /// v [m/s]
+    pub speed: f64,
+    /// Distances from the centre line of the track [m], ascending.
+    pub receivers: Vec<f64>,
+    /// T [s], over which the energy of the pass is averaged; None: the train's length and twice the farthest receiver's distance,
+    /// over v.
+    pub passage_time: Option<f64>,
+    /// Third-octave bands, ascending.
+    pub bands: Vec<Band>,
+    /// None: the quasi-static part alone.
+    pub roughness: Option<Roughness>,
+}
+
+/// One-sided energy density of the velocity, 2ω²|û|² [m² /s² s/Hz], at one frequency, for each receiver.
+struct Density {
+    quasi_static: Vec<f64>,
+    dynamic: Vec<f64>,
+    converged: bool,
+}
+
+/// One component of the profile: Ω, ½ S dΩ/v² and the forces it makes.
+struct Component {
+    wavenumber: f64,
+    weight: f64,
+    forces: Vec<Complex64>,
+}
+
+impl FreeField {
+    /// Frequency f [Hz] and width [Hz] of the cells of the bands, `PER_BAND` each of equal width in ln f.
+    fn cells(&self) -> Vec<(f64, f64)> {
+        let cell = |band: &Band, i: usize| {
+            let ratio = (band.upper() / band.lower()).ln() / PER_BAND as f64;
+            let (from, to) = (ratio * i as f64, ratio * (i + 1) as f64);
+            (band.lower() * (0.5 * (from + to)).exp(), band.lower() * (to.exp() - from.exp()))
+        };
+        self.bands.iter().flat_map(|band| (0..PER_BAND).map(move |i| cell(band, i))).collect()
+    }
+
+    /// Components of the profile with the forces they make, and whether the rail's receptance met its accuracy.
+    fn components(
+        &self,
+        roughness: &Roughness,
+        model: &Model,
+        train: &Train,
+        observer: &dyn Observer,
+    ) -> Result<(Vec<Component>, bool), StudyError> {
+        let (profile, solver) = model.ground("free_field")?;
+        let strip = model.contact().strip().ok_or(StudyError::PointLoad)?;
+        // each β along ω̃ − βv has its own ω: modes would serve one integral each
+        let solver = if solver.has_modes() { Solver::DirectStiffness } else { solver };
+        let soil = LayeredSoil::new(profile.clone(), solver, strip)?;
+        let track = TrackOnFoundation::new(model.stack(), &soil, 0.0);
+        let offsets: Vec<f64> = train.axles().iter().map(|a| a.position).collect();
+        let wheel = Multibody::unsprung(roughness.unsprung_mass, train.heaviest_axle().total_load())?;
+        let bodies = wheel.row(&offsets)?;
+        let contact = vec![roughness.contact; offsets.len()];
+        let wheels = WheelRail { track: &track, bodies: &bodies, contact: &contact, speed: self.speed };
+
+        let (shortest, longest) = roughness.wavelengths;
+        let (low, high) = ((TAU / longest).ln(), (TAU / shortest).ln());
+        // α is smooth in ln ω̃; one point more on either side for the cubic
+        let count = ((high - low) * PER_UNIT).ceil() as usize + 1;
+        let step = (high - low) / (count - 1) as f64;
+        let at = |i: usize| (low + step * (i as f64 - 1.0)).exp();
+        observer.begin("contact forces", count as u64 + 2);
+        let table: Vec<(DMatrix<Complex64>, bool)> = (0..count + 2)
+            .into_par_iter()
+            .map(|i| {
+                let answer = wheels.rail(at(i) * self.speed);
+                observer.advance();
+                answer
+            })
+            .collect::<Result<_, _>>()?;
+        observer.end();
+        // fine enough for the phases between first and last wheel
+        let phase = high.exp() * train.length().max(1.0) / (0.25 * TAU);
+        let components = ((high - low) * COMPONENTS.max(phase)).ceil() as usize;
+        let width = (high - low) / components as f64;
+        let components = (0..components)
+            .into_par_iter()
+            .map(|j| {
+                let x = low + width * (j as f64 + 0.5);
+                let wavenumber = x.exp();
+                let place = (x - low) / step;
+                let i = (place.floor() as usize).min(count - 2);
+                let weights = cubic_weights(place - i as f64);
+                let mut alpha = &table[i].0 * Complex64::from(weights[0]);
+                for (m, weight) in weights.iter().enumerate().skip(1) {
+                    alpha += &table[i + m].0 * Complex64::from(*weight);
+                }
+                let density = roughness.spectrum.one_sided(wavenumber);
+                Component {
+                    wavenumber,
+                    weight: 0.5 * density * wavenumber * width / self.speed.powi(2),
+                    forces: wheels.forces(&alpha, wavenumber * self.speed),
+                }
+            })
+            .collect();
+        Ok((components, table.iter().all(|t| t.1)))
+    }
+
+    /// Energy densities at frequency `cell.0` [Hz], those of the axle loads averaged over the cell's width `cell.1` [Hz].
+    fn density(
+        &self,
+        cell: (f64, f64),
+        components: &[Component],
+        model: &Model,
+        train: &Train,
+    ) -> Result<Density, StudyError> {
+        let (profile, solver) = model.ground("free_field")?;
+        let strip = model.contact().strip().ok_or(StudyError::PointLoad)?;
+        let omega = TAU * cell.0;
+        let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
+        let section = Section::new(model.stack(), ground.as_ref(), strip, omega, &self.receivers);
+        let axles = train.axles();
+        // |Σ P_i e^{−iωa_i/v}|², averaged where it turns within the cell
+        let turns = cell.1 * train.length() / self.speed;
+        let samples = (8.0 * turns).ceil() as usize + 1;
+        let loads: f64 = (0..samples)
+            .map(|s| {
+                let f = cell.0 + cell.1 * ((s as f64 + 0.5) / samples as f64 - 0.5);
+                let sum: Complex64 =
+                    axles.iter().map(|a| a.load * Complex64::cis(-TAU * f * a.position / self.speed)).sum();
+                sum.norm_sqr()
+            })
+            .sum::<f64>()
+            / samples as f64;
+        let scale = 2.0 * omega * omega;
+        let mut dynamic = vec![0.0; self.receivers.len()];
+        let shift = omega / self.speed;
+        for component in components {
+            let forces = &component.forces;
+            // P(−Ω) = conj P(Ω)
+            let up: Complex64 = forces
+                .iter()
+                .zip(axles)
+                .map(|(p, a)| p * Complex64::cis((component.wavenumber - shift) * a.position))
+                .sum();
+            let down: Complex64 = forces
+                .iter()
+                .zip(axles)
+                .map(|(p, a)| p.conj() * Complex64::cis((-component.wavenumber - shift) * a.position))
+                .sum();
+            for (r, slot) in dynamic.iter_mut().enumerate() {
+                let near = section.transfer(r, component.wavenumber - shift).norm_sqr();
+                let far = section.transfer(r, component.wavenumber + shift).norm_sqr();
+                *slot += scale * component.weight * (up.norm_sqr() * near + down.norm_sqr() * far);
+            }
+        }
+        let quasi_static = (0..self.receivers.len())
+            .map(|r| scale * loads * section.transfer(r, shift).norm_sqr() / self.speed.powi(2))
+            .collect();
+        Ok(Density { quasi_static, dynamic, converged: section.converged() })
+    }
+
+    /// Third-octave r.m.s. velocities of the pass, quasi-static, dynamic and total.
+    ///
+    /// Accuracy: 1 % of each band (test `cross_solver::free_field`).
+    ///
+    /// # Errors
+    /// No layered ground, no train, a receiver on the track, undamped waves.
+    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        let train = model.train("free_field")?;
+        let farthest = self.receivers.iter().copied().fold(0.0, f64::max);
+        let passage_time = self.passage_time.unwrap_or((train.length() + 2.0 * farthest) / self.speed);
+        let (components, accurate) = match &self.roughness {
+            Some(roughness) => self.components(roughness, model, train, observer)?,
+            None => (Vec::new(), true),
+        };
+        let cells = self.cells();
+        observer.begin("free field", cells.len() as u64);
+        let densities: Vec<Density> = cells
+            .par_iter()
+            .map(|cell| {
+                let density = self.density(*cell, &components, model, train);
+                observer.advance();
+                density
+            })
+            .collect::<Result<_, _>>()?;
+        observer.end();
+
+        let shape = (self.receivers.len(), self.bands.len());
+        let banded = |part: &dyn Fn(&Density, usize) -> f64| {
+            let mut v = Array2::zeros(shape);
+            for ((r, b), slot) in v.indexed_iter_mut() {
+                let energy: f64 =
+                    (b * PER_BAND..(b + 1) * PER_BAND).map(|i| part(&densities[i], r) * cells[i].1).sum();
+                *slot = rms(energy, passage_time)?;
+            }
+            Ok::<_, StudyError>(v)
+        };
+        let quasi_static = banded(&|d, r| d.quasi_static[r])?;
+        let dynamic = banded(&|d, r| d.dynamic[r])?;
+        let total = banded(&|d, r| d.quasi_static[r] + d.dynamic[r])?;
+
+        let centres: Vec<f64> = self.bands.iter().map(|band| band.centre()).collect();
+        let mut group = Group::new("free_field")
+            .coordinate("receiver", &self.receivers, "m", "distance from the centre line of the track")
+            .coordinate("band", &centres, "Hz", "exact centre of the base-10 third-octave band")
+            .attribute("speed", self.speed)
+            .attribute("passage_time", passage_time)
+            .attribute("direction", "vertical, surface of the ground")
+            .attribute("weighting", "none");
+        let parts = [
+            ("v_rms_quasi_static", &quasi_static, "quasi-static part (moving axle loads)"),
+            ("v_rms_dynamic", &dynamic, "dynamic part (rough rail), expected value"),
+            ("v_rms_total", &total, "both"),
+        ];
+        for (name, values, what) in parts {
+            group = group.variable(
+                name,
+                &["receiver", "band"],
+                values.clone().into_dyn(),
+                "m s-1",
+                &format!("r.m.s. velocity over the passage time: {what}"),
+            );
+        }
+        if let Some(roughness) = &self.roughness {
+            let driving: Vec<f64> =
+                components.iter().map(|c| c.wavenumber * self.speed / TAU).collect();
+            // one-sided in f̃ = Ωv/2π: S_P = |P|² S dΩ/df̃
+            let density: Vec<f64> = components
+                .iter()
+                .map(|c| {
+                    c.forces[0].norm_sqr() * roughness.spectrum.one_sided(c.wavenumber) * TAU / self.speed
+                })
+                .collect();
+            group = group
+                .coordinate("driving_frequency", &driving, "Hz", "speed over wavelength of the profile")
+                .variable(
+                    "contact_force",
+                    &["driving_frequency"],
+                    Array1::from(density).into_dyn(),
+                    "N2 Hz-1",
+                    "one-sided spectral density of the dynamic force of the leading wheelset",
+                )
+                .attribute("irregularity", roughness.spectrum.text())
+                .attribute("shortest_wavelength", roughness.wavelengths.0)
+                .attribute("longest_wavelength", roughness.wavelengths.1)
+                .attribute(
+                    "band_rms",
+                    roughness.spectrum.band_rms(roughness.wavelengths.0, roughness.wavelengths.1),
+                );
+        }
+        let answers = self.answers(passage_time, &quasi_static, &dynamic, &total)?;
+        let figures = self.figures(passage_time, &centres, [&quasi_static, &dynamic, &total], &components);
+        let mut concerns = self.concerns(model);
+        if !accurate || densities.iter().any(|d| !d.converged) {
+            concerns.push(Concern::new(
+                "quadrature",
+                "some wavenumber integrals of the free field missed their accuracy (1e-3)",
+                "poles lie too close to the real axis (more damping helps), or the track spreads the load too little",
+            ));
+        }
+        Ok(Outcome { group, figures, answers, concerns })
+    }
+
+    fn answers(
+        &self,
+        passage_time: f64,
+        quasi_static: &Array2<f64>,
+        dynamic: &Array2<f64>,
+        total: &Array2<f64>,
+    ) -> Result<Vec<Answer>, StudyError> {
+        let mut answers = Vec::new();
+        if let Some(roughness) = &self.roughness {
+            let sigma = roughness.spectrum.band_rms(roughness.wavelengths.0, roughness.wavelengths.1);
+            let (from, to) = roughness.wavelengths;
+            answers.push(Answer::new(
+                "profile_rms",
+                format!("R.m.s. of the profile, wavelengths {from} to {to} m"),
+                sigma,
+                "m",
+                format!("{:.2} mm", 1e3 * sigma),
+            ));
+        }
+        for (r, y) in self.receivers.iter().enumerate() {
+            let broadband = |v: &Array2<f64>| v.row(r).iter().map(|v| v * v).sum::<f64>().sqrt();
+            let mut add = |key: &str, what: String, value: f64, unit, shown: String| {
+                answers.push(Answer::new(&format!("{key}_{y}"), what, value, unit, shown));
+            };
+            let value = broadband(total);
+            let level = Level::of(value, Reference::Iso1683)?;
+            let parts = (1e3 * broadband(quasi_static), 1e3 * broadband(dynamic));
+            add(
+                "v_rms",
+                format!("R.m.s. velocity at {y} m over {passage_time:.2} s, all bands"),
+                value,
+                "m/s",
+                format!(
+                    "{:.4} mm/s (quasi-static {:.4}, dynamic {:.4}), {level}",
+                    1e3 * value,
+                    parts.0,
+                    parts.1
+                ),
+            );
+            let row = total.row(r);
+            let top = (0..row.len()).max_by(|&a, &b| row[a].total_cmp(&row[b])).unwrap_or(0);
+            let peak = self.bands[top];
+            add(
+                "peak_band",
+                format!("Strongest band at {y} m"),
+                peak.centre(),
+                "Hz",
+                format!("{} Hz, {:.4} mm/s", peak.label(), 1e3 * row[top]),
+            );
+            // the first band from which on the dynamic part prevails
+            let last = (0..row.len()).rev().find(|&b| quasi_static[(r, b)] > dynamic[(r, b)]);
+            if let Some(crossing) = last.filter(|b| b + 1 < row.len() && self.roughness.is_some()) {
+                let band = self.bands[crossing + 1];
+                add(
+                    "crossing_band",
+                    format!("Band from which on the dynamic part prevails at {y} m"),
+                    band.centre(),
+                    "Hz",
+                    format!("{} Hz", band.label()),
+                );
+            }
+        }
+        Ok(answers)
+    }
+
+    fn figures(
+        &self,
+        passage_time: f64,
+        centres: &[f64],
+        parts: [&Array2<f64>; 3],
+        components: &[Component],
+    ) -> Vec<(Figure, String)> {
+        let figure = |name: String, title: String, x_label: &str, y_label: &str, series| {
+            Figure::Lines(LineFigure {
+                name,
+                title,
+                x_label: x_label.into(),
+                y_label: y_label.into(),
+                second_x: None,
+                y_down: false,
+                log_x: true,
+                log_y: true,
+                series,
+                marks: Vec::new(),
+            })
+        };
+        let (band, velocity) = ("one-third-octave band [Hz]", "r.m.s. velocity [mm/s]");
+        let at = speed_text(self.speed);
+        // a level too small for a logarithmic picture is left out
+        let line = |name: String, x: &[f64], y: Vec<f64>, stroke| {
+            let largest = y.iter().copied().fold(0.0, f64::max);
+            let kept = x.iter().zip(y).filter(|(_, y)| *y > 1e-5 * largest);
+            let (x, y) = kept.map(|(x, y)| (*x, y)).unzip();
+            Series { name, x, y, stroke }
+        };
+        let row = |v: &Array2<f64>, r: usize| v.row(r).iter().map(|v| 1e3 * v).collect::<Vec<_>>();
+        let mut figures = Vec::new();
+        for (r, y) in self.receivers.iter().enumerate() {
+            let mut series = vec![line("total".into(), centres, row(parts[2], r), Stroke::Solid)];
+            if self.roughness.is_some() {
+                series.push(line("quasi-static".into(), centres, row(parts[0], r), Stroke::Dashed));
+                series.push(line("dynamic".into(), centres, row(parts[1], r), Stroke::Points));
+            }
+            figures.push((
+                figure(format!("free_field_{y}"), format!("Ground velocity at {y} m, {at}"), band, velocity, series),
+                format!(
+                    "Vertical velocity of the ground's surface {y} m from the centre line, unweighted r.m.s. over {passage_time:.2} s in \
+                     one-third-octave bands."
+                ),
+            ));
+        }
+        let series = self.receivers.iter().enumerate();
+        let series = series.map(|(r, y)| line(format!("{y} m"), centres, row(parts[2], r), Stroke::Solid));
+        figures.push((
+            figure("free_field_receivers".into(), format!("Ground velocity, {at}"), band, velocity, series.collect()),
+            "Total of all receivers.".into(),
+        ));
+        if self.receivers.len() > 1 {
+            let sums = |v: &Array2<f64>| {
+                let sum = |r| row(v, r).iter().map(|v| v * v).sum::<f64>().sqrt();
+                (0..self.receivers.len()).map(sum).collect::<Vec<f64>>()
+            };
+            let names = ["quasi-static", "dynamic", "total"];
+            let series = names.iter().zip(parts).map(|(name, v)| Series {
+                name: (*name).into(),
+                x: self.receivers.clone(),
+                y: sums(v),
+                stroke: if *name == "total" { Stroke::Solid } else { Stroke::Dashed },
+            });
+            let series = series.filter(|s| s.y.iter().all(|y| *y > 0.0)).collect();
+            let label = "distance from the centre line [m]";
+            figures.push((
+                figure("free_field_distance".into(), format!("Ground velocity against distance, {at}"), label, velocity, series),
+                "R.m.s. velocity of all bands together.".into(),
+            ));
+        }
+        if let Some(roughness) = &self.roughness {
+            let x: Vec<f64> = components.iter().map(|c| c.wavenumber * self.speed / TAU).collect();
+            let y = components.iter().map(|c| {
+                let density = c.forces[0].norm_sqr() * roughness.spectrum.one_sided(c.wavenumber);
+                1e-3 * (density * TAU / self.speed).sqrt()
+            });
+            let series = vec![line("leading wheelset".into(), &x, y.collect(), Stroke::Solid)];
+            figures.push((
+                figure(
+                    "contact_force".into(),
+                    format!("Dynamic wheel-rail force, {at}"),
+                    "driving frequency v/λ [Hz]",
+                    "√ of one-sided spectral density [kN/√Hz]",
+                    series,
+                ),
+                format!("Force of the leading wheelset on the rail; profile: {}.", roughness.spectrum.text()),
+            ));
+        }
+        figures
+    }
+
+    fn concerns(&self, model: &Model) -> Vec<Concern> {
+        let mut concerns: Vec<Concern> = model.outruns_waves(self.speed).into_iter().collect();
+        if let Ok((profile, _)) = model.ground("free_field") {
+            let slowest = profile.slowest_rayleigh_speed();
+            if self.speed >= slowest {
+                concerns.push(Concern::new(
+                    "faster-than-rayleigh",
+                    format!(
+                        "{} is not below the slowest Rayleigh wave of the ground ({slowest:.1} m/s): the axle loads alone radiate",
+                        speed_text(self.speed)
+                    ),
+                    "see the critical speed of this train and track with [critical_speed]",
+                ));
+            }
+        }
+        let Some(roughness) = &self.roughness else { return concerns };
+        let (shortest, longest) = roughness.wavelengths;
+        if let Some((least, most)) = roughness.spectrum.valid()
+            && (shortest < 0.999 * least || longest > 1.001 * most)
+        {
+            concerns.push(Concern::new(
+                "spectrum-range",
+                format!(
+                    "wavelengths {shortest} to {longest} m go beyond those for which the spectrum is published, {least} to {most} m"
+                ),
+                "narrow irregularity.wavelengths, or read the bands driven by them as extrapolated",
+            ));
+        }
+        let (low, high) = (self.speed / longest, self.speed / shortest);
+        if let (Some(first), Some(last)) = (self.bands.first(), self.bands.last())
+            && (first.lower() < low || last.upper() > high)
+        {
+            concerns.push(Concern::new(
+                "bands-without-drive",
+                format!(
+                    "at {} the profile drives {low:.2} to {high:.1} Hz, the bands reach from {:.2} to {:.1} Hz",
+                    speed_text(self.speed),
+                    first.lower(),
+                    last.upper()
+                ),
+                "widen irregularity.wavelengths, or narrow free_field.frequencies; outside, the dynamic part is too small",
+            ));
+        }
+        concerns
+    }
+
+    /// Refuses what cannot be answered before anything is computed.
+    ///
+    /// # Errors
+    /// As `run`.
+    pub fn check(&self, model: &Model) -> Result<(), StudyError> {
+        model.ground("free_field")?;
+        model.train("free_field")?;
+        model.receivers(&self.receivers)?;
+        // wheels shed waves of every phase speed
+        model.check_damping(std::iter::once(f64::INFINITY))
+    }
+}
