@@ -2,8 +2,10 @@
 
 mod far_field;
 mod ground_field;
+mod ground_grid;
 mod moving_load;
 
 pub use far_field::FarField;
-pub use ground_field::{Field, GroundField, GroundFieldError, GroundLoad, Quantity, Window};
+pub use ground_field::{Field, GroundField, GroundFieldError};
+pub use ground_grid::{GroundLoad, Quantity, Window};
 pub use moving_load::{InteractionError, MovingLoad, MovingSpectrum, Shape, TrackOnFoundation};
