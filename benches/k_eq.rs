@@ -3,22 +3,19 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
+use common::STRIP;
 use divan::{Bencher, black_box};
-use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Strip};
+use groundwave::soil::{DirectStiffness, GroundSolver};
 
 fn main() {
     divan::main();
 }
 
-const STRIP: Strip = Strip { half_width: 1.25, compatibility: Compatibility::Centre };
-
 /// Baseline: a thousand evaluations of G.
 #[divan::bench]
 fn baseline_u_zz_1000(bencher: Bencher) {
     let ground = DirectStiffness.prepare(&common::named("paper_layered"), 137.0, &[]).unwrap();
-    bencher.bench(|| {
-        (1..=1000).map(|i| ground.u_zz(black_box(0.01 * f64::from(i)))).sum::<num_complex::Complex64>()
-    });
+    bencher.bench(|| common::sum_u_zz(ground.as_ref(), 1000));
 }
 
 /// β = 1 rad/m at 137 m/s.

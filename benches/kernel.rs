@@ -54,7 +54,5 @@ fn baseline_wave_amplitudes_1000(bencher: Bencher) {
 #[divan::bench(args = [Solver::TransferMatrix, Solver::Flexibility])]
 fn u_zz_1000_by(bencher: Bencher, solver: &Solver) {
     let ground = solver.prepare(&common::named("paper_layered"), 137.0, &[]).unwrap();
-    bencher.bench(|| {
-        (1..=1000).map(|i| ground.u_zz(black_box(0.01 * f64::from(i)))).sum::<num_complex::Complex64>()
-    });
+    bencher.bench(|| common::sum_u_zz(ground.as_ref(), 1000));
 }

@@ -1,39 +1,18 @@
 //! The command from outside: exit codes, messages, files written.
 
+mod common;
+
+use common::cli::{LAYERS, TRACK, case, flat, groundwave};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::LazyLock;
 use tempfile::TempDir;
 
 /// A whole case that runs in a moment. Line numbers in the tests count from its first line.
-const CASE: &str = r#"title = "A quick case"
-[soil]
-solver.kind = "direct-stiffness"
-[[soil.layer]]
-thickness = 2.0
-young = 60e6
-poisson = 0.35
-density = 1500.0
-loss_factor = 0.06
-[soil.half_space]
-young = 200e6
-poisson = 0.35
-density = 1800.0
-loss_factor = 0.06
-[track]
-kind = "beam"
-beam.bending_stiffness = 1.0e8
-beam.mass = 2000.0
-contact.half_width = 1.25
-contact.compatibility = "centre"
-[train]
-axles = [{ position = 0.0, load = 150e3 }]
-[track_response]
-speeds = [50.0, "250 km/h"]
-"#;
-
-fn groundwave(arguments: &[&str], folder: &Path) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_groundwave")).args(arguments).current_dir(folder).output().unwrap()
-}
+static CASE: LazyLock<String> = LazyLock::new(|| {
+    let soil = format!("solver.kind = \"direct-stiffness\"\n{LAYERS}");
+    case(&soil, &format!("{TRACK}[track_response]\nspeeds = [50.0, \"250 km/h\"]\n"))
+});
 
 fn code(output: &Output) -> i32 {
     output.status.code().expect("the command ends by itself")
@@ -41,16 +20,6 @@ fn code(output: &Output) -> i32 {
 
 fn err(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-/// The message on one line: a wrapped one reads the same.
-fn flat(text: &str) -> String {
-    text.chars()
-        .map(|c| if "│╰╭─┬▲·×".contains(c) { ' ' } else { c })
-        .collect::<String>()
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ")
 }
 
 fn folder_with(case: &str) -> (TempDir, PathBuf) {
@@ -79,7 +48,7 @@ fn refused_case(case: &str, says: &[&str]) -> Result<(), String> {
     let mut faults = Vec::new();
     for command in [&["check", "case.toml"][..], &["run", "case.toml", "--out", "out"]] {
         let output = groundwave(command, folder.path());
-        let message = flat(&err(&output));
+        let message = flat(&output.stderr);
         if code(&output) != 2 {
             faults.push(format!("{} exits {}", command[0], code(&output)));
         }
@@ -356,7 +325,7 @@ fn axles_repeat_by_count_and_length() {
 
 #[test]
 fn bad_files_and_folders_are_refused() {
-    let (folder, _) = folder_with(CASE);
+    let (folder, _) = folder_with(&CASE);
     let here = folder.path();
     std::fs::write(here.join("garbage.toml"), [0u8, 159, 146, 150, 255, 1, 2]).unwrap();
     std::fs::write(here.join("garbage.h5"), [0u8, 159, 146, 150, 255, 1, 2]).unwrap();
@@ -379,7 +348,7 @@ fn bad_files_and_folders_are_refused() {
     ] {
         let output = groundwave(arguments, here);
         assert_eq!(code(&output), 2, "{arguments:?}: {}", err(&output));
-        assert!(flat(&err(&output)).contains(says), "{arguments:?}: {}", err(&output));
+        assert!(flat(&output.stderr).contains(says), "{arguments:?}: {}", err(&output));
         assert!(!err(&output).contains("panicked"), "{arguments:?}");
         assert_eq!(names_in(here), before, "{arguments:?}");
         assert_eq!(names_in(&here.join("a_folder")).len(), 0, "{arguments:?}");
@@ -388,7 +357,7 @@ fn bad_files_and_folders_are_refused() {
 
 #[test]
 fn check_list_and_schema() {
-    let (folder, _) = folder_with(CASE);
+    let (folder, _) = folder_with(&CASE);
     let check = groundwave(&["check", "case.toml"], folder.path());
     assert_eq!(code(&check), 0, "{}", err(&check));
     assert!(String::from_utf8_lossy(&check.stdout).contains("track_response"));
@@ -408,7 +377,7 @@ fn check_list_and_schema() {
 
 #[test]
 fn a_run_leaves_what_it_promises() {
-    let (folder, _) = folder_with(CASE);
+    let (folder, _) = folder_with(&CASE);
     let here = folder.path();
     let run = |arguments: &[&str]| {
         let output = groundwave(arguments, here);

@@ -1,40 +1,13 @@
 //! The command from outside: thin layers as solver and as witness, their settings, library soils with a solver.
 
+mod common;
+
+use common::cli::{LAYERS, TRACK, case, flat, groundwave};
 use serde_json::Value;
-use std::path::Path;
-use std::process::{Command, Output};
 use tempfile::TempDir;
-
-const LAYERS: &str = r#"[[soil.layer]]
-thickness = 2.0
-young = 60e6
-poisson = 0.35
-density = 1500.0
-loss_factor = 0.06
-[soil.half_space]
-young = 200e6
-poisson = 0.35
-density = 1800.0
-loss_factor = 0.06
-"#;
-
-const TRACK: &str = r#"[track]
-kind = "beam"
-beam.bending_stiffness = 1.0e8
-beam.mass = 2000.0
-contact.half_width = 1.25
-contact.compatibility = "centre"
-[train]
-axles = [{ position = 0.0, load = 150e3 }]
-"#;
 
 const QUESTIONS: &str = "[critical_speed]\nspeeds = [100.0, 200.0, 300.0]\n[equivalent_stiffness]\nbeta = [0.2, 1.0]\n\
                          frequencies = [0.0, 20.0]\n[surface_compliance]\nk = [0.1, 1.0]\nfrequencies = [0.0, 20.0]\n";
-
-/// A whole case: `[soil]` with the keys `soil`, then `rest`.
-fn case(soil: &str, rest: &str) -> String {
-    format!("title = \"A quick case\"\n[soil]\n{soil}\n{rest}")
-}
 
 struct Run {
     folder: TempDir,
@@ -43,20 +16,10 @@ struct Run {
     err: String,
 }
 
-fn command(arguments: &[&str], folder: &Path) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_groundwave")).args(arguments).current_dir(folder).output().unwrap()
-}
-
-/// The message on one line: a wrapped one reads the same.
-fn flat(bytes: &[u8]) -> String {
-    let text = String::from_utf8_lossy(bytes).replace(|c| "│╰╭─┬▲·×".contains(c), " ");
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
 fn run(case: &str) -> Run {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("case.toml"), case).unwrap();
-    let output = command(&["run", "case.toml", "--out", "out"], folder.path());
+    let output = groundwave(&["run", "case.toml", "--out", "out"], folder.path());
     let code = output.status.code().expect("the command ends by itself");
     Run { folder, code, out: flat(&output.stdout), err: flat(&output.stderr) }
 }

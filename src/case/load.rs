@@ -305,13 +305,20 @@ impl Case {
         let (stack, contact) = track::track(&resolved.table, &resolved.prefix, on_ground)
             .map_err(|f| f.at(&resolved.name, &resolved.text))?;
         let train = input.train.as_ref().map(|train| loader.train(train)).transpose()?;
+        let wheels = match (&input.train, &train) {
+            (Some(Named::Table(table)), Some(train)) => {
+                studies::wheels(table, train).map_err(|f| loader.fault(f))?
+            }
+            _ => None,
+        };
         let model =
             Model::new(support, contact, stack, train).map_err(|e| loader.fault(Finding::new("track", e)))?;
         let witness = verify
             .map(|solver| model.with_solver(solver))
             .transpose()
             .map_err(|e| loader.fault(Finding::new("soil.solver.verify", e)))?;
-        let studies = studies::studies(&input, &|name| loader.file(name)).map_err(|f| loader.fault(f))?;
+        let studies = studies::studies(&input, wheels.as_ref(), &|name| loader.file(name))
+            .map_err(|f| loader.fault(f))?;
         for study in &studies {
             study.check(&model).map_err(|e| loader.fault(Finding::new(study.name(), e)))?;
         }

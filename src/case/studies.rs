@@ -2,8 +2,8 @@
 
 use super::error::Finding;
 use super::schema::{
-    CaseInput, ContourInput, DispersionInput, FreeFieldInput, IrregularityInput, IrregularityKind, MeasuredInput, QuantityInput, SpanInput, TrackResponseInput,
-    WaveInput,
+    CaseInput, ContourInput, DispersionInput, FreeFieldInput, IrregularityInput, IrregularityKind,
+    MeasuredInput, QuantityInput, SpanInput, TrackResponseInput, TrainInput, TreadInput, WaveInput,
 };
 use super::values::{Range, Speed};
 use crate::assessment::Band;
@@ -13,9 +13,10 @@ use crate::irregularity::{
 };
 use crate::soil::dispersion::SurfaceWave;
 use crate::study::{
-    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Receptance, Roughness, Record, Study,
+    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Receptance, Record, Roughness, Study,
     SurfaceComplianceTable, TrackResponse, same_speed, tag,
 };
+use crate::vehicle::{Hertz, Train, Tread};
 
 /// Farthest position a study may ask for [m].
 const FARTHEST: f64 = 10_000.0;
@@ -323,9 +324,7 @@ fn spectrum(input: &IrregularityInput) -> Result<Spectrum, Finding> {
         IrregularityKind::FraCorner => {
             Spectrum::FraCorner(FraCorner::new(input.class.ok_or_else(missing)?).map_err(fault)?)
         }
-        IrregularityKind::German => {
-            Spectrum::German([German::Low, German::High][quality(["low", "high"])?])
-        }
+        IrregularityKind::German => Spectrum::German([German::Low, German::High][quality(["low", "high"])?]),
         IrregularityKind::Sncf => Spectrum::Sncf([Sncf::Good, Sncf::Poor][quality(["good", "poor"])?]),
         IrregularityKind::ChinaBallastless => Spectrum::ChinaBallastless(ChinaBallastless),
         IrregularityKind::Iso8608 => {
@@ -342,6 +341,52 @@ pub struct Wheels {
     pub contact: f64,
 }
 
+/// `train.unsprung_mass` and `train.wheel_rail`: both or none.
+pub fn wheels(input: &TrainInput, train: &Train) -> Result<Option<Wheels>, Finding> {
+    let positive = |path: &str, value: f64, unit: &str| {
+        if value.is_finite() && value > 0.0 {
+            Ok(value)
+        } else {
+            Err(Finding::new(path, format!("{value} {unit}: it must be finite and above zero")))
+        }
+    };
+    let (mass, contact) = match (input.unsprung_mass, input.wheel_rail) {
+        (None, None) => return Ok(None),
+        (Some(mass), Some(contact)) => (positive("train.unsprung_mass", mass, "kg")?, contact),
+        (Some(_), None) => {
+            return Err(Finding::new("train", "unsprung_mass needs wheel_rail")
+                .help("add wheel_rail.stiffness [N/m per wheelset] or wheel_rail.radius [m]"));
+        }
+        (None, Some(_)) => {
+            return Err(
+                Finding::new("train", "wheel_rail needs unsprung_mass").help("add it [kg per wheelset]")
+            );
+        }
+    };
+    let at = "train.wheel_rail";
+    let contact = match (contact.stiffness, contact.radius, contact.tread) {
+        (Some(stiffness), None, None) => positive("train.wheel_rail.stiffness", stiffness, "N/m")?,
+        (None, Some(radius), tread) => {
+            let tread = match tread {
+                None | Some(TreadInput::Worn) => Tread::Worn,
+                Some(TreadInput::Coned) => Tread::Coned,
+            };
+            let hertz = Hertz::new(tread, radius).map_err(|e| Finding::new("train.wheel_rail.radius", e))?;
+            let load = train.total_load() / train.axles().len() as f64;
+            hertz.wheelset_stiffness(load).map_err(|e| Finding::new(at, e))?
+        }
+        (None, None, _) => {
+            return Err(Finding::new(at, "it has neither stiffness nor radius")
+                .help("add stiffness [N/m per wheelset] or radius [m]"));
+        }
+        (Some(_), _, _) => {
+            return Err(Finding::new(at, "stiffness stands alone: radius and tread belong to Hertz contact")
+                .help("give stiffness, or radius with tread"));
+        }
+    };
+    Ok(Some(Wheels { unsprung_mass: mass, contact }))
+}
+
 /// Longest passage a case may ask for [s].
 const LONGEST_PASSAGE: f64 = 3600.0;
 
@@ -350,14 +395,17 @@ fn free_field(
     case: &CaseInput,
     wheels: Option<&Wheels>,
 ) -> Result<FreeField, Finding> {
-    let speed = speeds(&Range::List(vec![input.speed]), "free_field.speed")
-        .map_err(|_| Finding::new("free_field.speed", format!("{} m/s: it must be above zero", input.speed.0)))?[0];
+    let speed = speeds(&Range::List(vec![input.speed]), "free_field.speed").map_err(|_| {
+        Finding::new("free_field.speed", format!("{} m/s: it must be above zero", input.speed.0))
+    })?[0];
     if speed <= 0.0 {
         return Err(Finding::new("free_field.speed", format!("{speed} m/s: it must be above zero")));
     }
     let receivers = receivers(&input.receivers, "free_field.receivers")?;
     if receivers.is_empty() {
-        return Err(Finding::new("free_field.receivers", "the list is empty").help("give at least one distance [m]"));
+        return Err(
+            Finding::new("free_field.receivers", "the list is empty").help("give at least one distance [m]")
+        );
     }
     let passage_time = input.passage_time;
     if let Some(time) = passage_time

@@ -1,15 +1,15 @@
 //! The ground's surface around a moving train by two-dimensional inverse FFT.
 //!
-//! (long because the transform, what is taken out of it and put back in closed form, and its error share one grid)
-//!
 //! ```text
 //! ũ(β_x, β_y) = G(k, −β_x v) q̃(β_x) sinc(β_y b) Σ_j P_j e^{iβ_x a_j},   q̃ = k_eq ũ_base
 //! ```
+//!
+//! Less the closed form of its lower half-space, and under a point load of its top layer, which are added as images.
 
 use super::far_field::{FarField, component};
+use super::ground_grid::{Grid, GroundLoad, Quantity, Window};
 use crate::math::complex::I;
-use crate::math::fourier::{Axis, inverse_2d};
-use crate::soil::strip::sinc;
+use crate::math::fourier::inverse_2d;
 use crate::soil::{
     Base, GroundSolver, Material, PreparedGround, Profile, SoilError, Solver, SurfaceCompliance,
 };
@@ -21,76 +21,6 @@ use thiserror::Error;
 
 /// Accuracy of G a field asks of a solver that approximates it: well below the wrap-around that is tolerated.
 const FIELD_ACCURACY: f64 = 3e-4;
-
-/// What is wanted of the ground's surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
-    /// u_z [m], positive down.
-    Vertical,
-    /// ∂u_z/∂t = −v ∂u_z/∂x′ [m/s], positive down.
-    VerticalVelocity,
-    /// u_x [m], along the track, positive in the direction of travel.
-    Along,
-    /// u_y [m], across the track.
-    Across,
-}
-
-impl Quantity {
-    /// Name of the dataset: `u_z`, `v_z`, `u_x`, `u_y`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Vertical => "u_z",
-            Self::VerticalVelocity => "v_z",
-            Self::Along => "u_x",
-            Self::Across => "u_y",
-        }
-    }
-}
-
-/// A rectangle of positions seen from the leading axle (x′ positive ahead).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Window {
-    /// x′ from, to [m].
-    pub x: (f64, f64),
-    /// y from, to [m].
-    pub y: (f64, f64),
-    /// Spacing of both [m].
-    pub spacing: f64,
-}
-
-impl Window {
-    /// Positions along one side.
-    fn positions(&self, side: (f64, f64)) -> Vec<f64> {
-        let count = ((side.1 - side.0) / self.spacing + 1e-9).floor() as usize + 1;
-        (0..count).map(|i| side.0 + self.spacing * i as f64).collect()
-    }
-
-    /// x′ of the columns [m].
-    pub fn x_positions(&self) -> Vec<f64> {
-        self.positions(self.x)
-    }
-
-    /// y of the rows [m].
-    pub fn y_positions(&self) -> Vec<f64> {
-        self.positions(self.y)
-    }
-}
-
-/// How a unit axle load reaches the ground.
-#[derive(Clone, Copy)]
-pub enum GroundLoad<'a> {
-    /// Over a strip of half-width b: force per metre spectrum q̃(β ≥ 0) for a unit load, negligible beyond `beta_max`.
-    Strip {
-        /// q̃(β)
-        force: &'a (dyn Fn(f64) -> Complex64 + Sync),
-        /// [rad/m]
-        beta_max: f64,
-        /// b [m]
-        half_width: f64,
-    },
-    /// At a point.
-    Point,
-}
 
 /// What the field is computed for.
 pub struct GroundField<'a> {
@@ -143,30 +73,6 @@ pub enum GroundFieldError {
     },
 }
 
-/// The two axes of the transform and how they thin out to the window.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Grid {
-    /// Along the track.
-    pub x: Axis,
-    /// Across the track.
-    pub y: Axis,
-    /// Columns per wanted column, rows per wanted row.
-    pub thinning: (usize, usize),
-    /// Rows of β_x that carry load.
-    pub rows: usize,
-}
-
-impl Grid {
-    /// Memory of the transform for `fields` quantities [bytes].
-    pub fn bytes(&self, fields: usize) -> u64 {
-        let columns = self.y.period_count as f64;
-        let spectrum = 16.0 * self.rows as f64 * columns;
-        let result = 8.0 * self.x.period_count as f64 * columns;
-        // a conversion from f64 stops at the largest u64
-        (fields as f64 * (spectrum + result)) as u64
-    }
-}
-
 /// Surface compliance at `k`; the vertical one alone costs half.
 fn response(ground: &dyn PreparedGround, k: f64, vertical_only: bool) -> SurfaceCompliance {
     if vertical_only {
@@ -183,24 +89,9 @@ fn half_space(material: Material) -> Result<Profile, SoilError> {
 }
 
 impl GroundField<'_> {
-    /// The grid for `window`: fine enough for the strip's edges, with periods that leave `clearance` [m], the distance over
-    /// which waves fade, between the window and its images.
+    /// The grid for `window`, with `clearance` [m], the distance over which waves fade, between it and its images.
     pub fn grid(&self, window: &Window, clearance: f64) -> Grid {
-        let length = self.train.length();
-        let (half_width, beta_max) = match self.load {
-            GroundLoad::Strip { half_width, beta_max, .. } => (half_width, beta_max),
-            GroundLoad::Point => (f64::INFINITY, f64::INFINITY),
-        };
-        // a tenth of the half-width keeps the truncated 1/β_y² tail near 0.1 % of the peak
-        let across = (window.spacing / (0.1 * half_width)).ceil().max(1.0);
-        let along = (window.spacing * beta_max / PI).ceil().max(1.0);
-        let along = if beta_max.is_finite() { along } else { 1.0 };
-        let reach_x = (window.x.1.max(0.0) - window.x.0.min(-length)) + length;
-        let reach_y = 2.0 * window.y.0.abs().max(window.y.1.abs());
-        let x = Axis::new(window.x.0, window.spacing / along, reach_x + clearance);
-        let y = Axis::new(window.y.0, window.spacing / across, reach_y + clearance);
-        let rows = ((beta_max / x.beta_step()).ceil() + 1.0).min((x.period_count / 2 + 1) as f64) as usize;
-        Grid { x, y, thinning: (across as usize, along as usize), rows }
+        Grid::new(window, &self.load, self.train.length(), clearance)
     }
 
     /// The wanted quantities over `window`, computed on `grid`.
@@ -222,30 +113,10 @@ impl GroundField<'_> {
         }
         // ℓ: where the lower half-space takes over, and resolved by the grid
         let blend = self.profile.depth().max(4.0 * grid.x.step).max(4.0 * grid.y.step).max(2.0);
-        let base = match self.profile.base() {
-            Base::HalfSpace(material) => Some(material),
-            Base::Rigid => None,
-        };
-        let far: Vec<Option<FarField>> = quantities
-            .iter()
-            .map(|&quantity| match base {
-                Some(material) => FarField::new(&material, self.solver, self.speed, quantity).map(Some),
-                None => Ok(None),
-            })
-            .collect::<Result<_, _>>()?;
-        let near: Vec<Option<FarField>> = quantities
-            .iter()
-            .map(|&quantity| match self.load {
-                GroundLoad::Point => {
-                    FarField::new(self.profile.top(), self.solver, self.speed, quantity).map(Some)
-                }
-                GroundLoad::Strip { .. } => Ok(None),
-            })
-            .collect::<Result<_, _>>()?;
 
         let spectrum = |n: usize, out: &mut [Vec<Complex64>]| {
             let beta_x = grid.x.beta(n);
-            self.row(beta_x, grid, quantities, blend, &far, &near, out)
+            self.row(beta_x, grid, quantities, blend, out)
         };
         let whole = (grid.y.period_count, grid.x.period_count);
         let periodic = inverse_2d(grid.x, grid.y, grid.rows, quantities.len(), whole, spectrum)?;
@@ -256,18 +127,9 @@ impl GroundField<'_> {
             let mut value = Array2::from_shape_fn((y.len(), x.len()), |(row, column)| {
                 field[(row * grid.thinning.0, column * grid.thinning.1)]
             });
-            self.add_images(
-                quantities[i],
-                &mut value,
-                &x,
-                &y,
-                blend,
-                far[i].as_ref(),
-                near[i].as_ref(),
-                window.spacing,
-            );
+            self.add_images(quantities[i], &mut value, (&x, &y), blend, window.spacing)?;
             let largest = value.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-            wrap_around = wrap_around.max(self.border(field, grid) / largest);
+            wrap_around = wrap_around.max(grid.remainder(field, self.train.length()) / largest);
             // the truncated part stands at the edges of the strip, be they in the window or not
             let anywhere = field.iter().fold(largest, |m, v| m.max(v.abs()));
             aliasing = aliasing.max(self.beyond(quantities[i], grid)? / anywhere);
@@ -284,6 +146,22 @@ impl GroundField<'_> {
         })
     }
 
+    /// Material of the lower half-space: what the ground tends to as k → 0.
+    fn base(&self) -> Option<Material> {
+        match self.profile.base() {
+            Base::HalfSpace(material) => Some(material),
+            Base::Rigid => None,
+        }
+    }
+
+    /// Material of the top layer, what the ground tends to as k → ∞, where the load reaches that far.
+    fn top(&self) -> Option<Material> {
+        match self.load {
+            GroundLoad::Point => Some(*self.profile.top()),
+            GroundLoad::Strip { .. } => None,
+        }
+    }
+
     /// Σ_j P_j e^{iβ_x a_j}: the train's phases; axle j stands at x′ = −a_j, a_j measured from the leading axle.
     fn phases(&self, beta_x: f64) -> Complex64 {
         let lead = self.train.axles()[0].position;
@@ -298,23 +176,13 @@ impl GroundField<'_> {
         }
     }
 
-    fn across(&self, beta_y: f64) -> f64 {
-        match self.load {
-            GroundLoad::Strip { half_width, .. } => sinc(beta_y * half_width),
-            GroundLoad::Point => 1.0,
-        }
-    }
-
     /// One row ũ(β_x, ·) less the closed-form parts.
-    #[allow(clippy::too_many_arguments)]
     fn row(
         &self,
         beta_x: f64,
         grid: &Grid,
         quantities: &[Quantity],
         blend: f64,
-        far: &[Option<FarField>],
-        near: &[Option<FarField>],
         out: &mut [Vec<Complex64>],
     ) -> Result<(), SoilError> {
         let force = self.force(beta_x);
@@ -324,12 +192,9 @@ impl GroundField<'_> {
         // k ≥ |β_x| in this row
         let solver = self.solver.resolving((0.99 * beta_x.abs(), corner), FIELD_ACCURACY, None);
         let ground = solver.prepare(self.profile, omega, &[])?;
-        let prepared = |material| solver.prepare(&half_space(material)?, omega, &[]).map(Some);
-        let base = match self.profile.base() {
-            Base::HalfSpace(material) if far.iter().any(Option::is_some) => prepared(material)?,
-            _ => None,
-        };
-        let top = if near.iter().any(Option::is_some) { prepared(*self.profile.top())? } else { None };
+        let prepared = |material| solver.prepare(&half_space(material)?, omega, &[]);
+        let base = self.base().map(prepared).transpose()?;
+        let top = self.top().map(prepared).transpose()?;
         let count = grid.y.period_count;
         let vertical_only =
             quantities.iter().all(|q| matches!(q, Quantity::Vertical | Quantity::VerticalVelocity));
@@ -346,16 +211,16 @@ impl GroundField<'_> {
             let far_g =
                 base.as_ref().filter(|_| fade > 1e-17).map(|b| response(b.as_ref(), k, vertical_only));
             let top_g = top.as_ref().map(|t| response(t.as_ref(), k, vertical_only));
-            let load = force * self.across(beta_y);
+            let load = force * self.load.across(beta_y);
             for (i, &quantity) in quantities.iter().enumerate() {
                 // mirror in y: β_y → −β_y turns sin θ
                 for (index, sin) in [(m, beta_y / k), ((count - m) % count, -beta_y / k)] {
                     let cos = beta_x / k;
                     let mut value = load * component(quantity, &g, cos, sin);
-                    if let (Some(_), Some(far_g)) = (&far[i], &far_g) {
+                    if let Some(far_g) = &far_g {
                         value -= phases * fade * component(quantity, far_g, cos, sin);
                     }
-                    if let (Some(_), Some(top_g)) = (&near[i], &top_g) {
+                    if let Some(top_g) = &top_g {
                         value -= phases * (1.0 - fade) * component(quantity, top_g, cos, sin);
                     }
                     if quantity == Quantity::VerticalVelocity {
@@ -371,29 +236,19 @@ impl GroundField<'_> {
                 out[i][count / 2] = Complex64::ZERO;
             }
             if beta_x == 0.0 {
-                out[i][0] = self.origin(quantity, grid, blend, &far[i], &near[i])?;
+                out[i][0] = self.origin(quantity, grid, blend)?;
             }
         }
         Ok(())
     }
 
     /// The bounded remainder at k = 0: its mean over a circle well inside the first cell.
-    fn origin(
-        &self,
-        quantity: Quantity,
-        grid: &Grid,
-        blend: f64,
-        far: &Option<FarField>,
-        near: &Option<FarField>,
-    ) -> Result<Complex64, SoilError> {
+    fn origin(&self, quantity: Quantity, grid: &Grid, blend: f64) -> Result<Complex64, SoilError> {
         const POINTS: usize = 64;
         let k = 1e-3 * grid.x.beta_step().min(grid.y.beta_step());
         let fade = (-k * blend).exp();
-        let base = match (far, self.profile.base()) {
-            (Some(_), Base::HalfSpace(material)) => Some(half_space(material)?),
-            _ => None,
-        };
-        let top = near.as_ref().map(|_| half_space(*self.profile.top())).transpose()?;
+        let base = self.base().map(half_space).transpose()?;
+        let top = self.top().map(half_space).transpose()?;
         let sum: Complex64 = (0..POINTS)
             .map(|i| {
                 let (sin, cos) = (TAU * (i as f64 + 0.5) / POINTS as f64).sin_cos();
@@ -403,7 +258,7 @@ impl GroundField<'_> {
                     Ok(component(quantity, &ground.surface(k), cos, sin))
                 };
                 let force = if cos >= 0.0 { self.force(k * cos) } else { self.force(-k * cos).conj() };
-                let mut value = force * self.across(k * sin) * at(self.profile)?;
+                let mut value = force * self.load.across(k * sin) * at(self.profile)?;
                 if let Some(base) = &base {
                     value -= self.phases(k * cos) * fade * at(base)?;
                 }
@@ -418,26 +273,26 @@ impl GroundField<'_> {
     }
 
     /// Adds the closed-form images of every axle.
-    #[allow(clippy::too_many_arguments)]
     fn add_images(
         &self,
         quantity: Quantity,
         values: &mut Array2<f64>,
-        x: &[f64],
-        y: &[f64],
+        (x, y): (&[f64], &[f64]),
         blend: f64,
-        far: Option<&FarField>,
-        near: Option<&FarField>,
         spacing: f64,
-    ) {
+    ) -> Result<(), SoilError> {
         use rayon::prelude::*;
         let lead = self.train.axles()[0].position;
         let columns = x.len();
         let largest = |side: &[f64]| side.iter().fold(0.0f64, |m, v| m.max(v.abs()));
         let reach = (largest(x) + self.train.length()).hypot(largest(y));
-        let far = far.map(|far| far.table(blend, reach));
+        let form = |material| FarField::new(&material, self.solver, self.speed, quantity);
+        let far = self.base().map(form).transpose()?.map(|far| far.table(blend, reach));
         // ℓ = 0: the table would have no innermost radius; the field is of degree −1 in r
-        let near = near.map(|near| (near, near.table(blend, reach)));
+        let near = self.top().map(form).transpose()?.map(|near| {
+            let table = near.table(blend, reach);
+            (near, table)
+        });
         let image = |x: f64, y: f64| {
             let mut sum = far.as_ref().map_or(0.0, |far| far.at(x, y));
             if let Some((near, table)) = &near {
@@ -459,7 +314,7 @@ impl GroundField<'_> {
             let step = if r < 1e-6 * spacing { 0.5 * spacing } else { 0.02 * r.min(blend) };
             -self.speed * (image(x + step, y) - image(x - step, y)) / (2.0 * step)
         };
-        let Some(slice) = values.as_slice_mut() else { return };
+        let Some(slice) = values.as_slice_mut() else { return Ok(()) };
         slice.par_chunks_mut(columns).zip(y).for_each(|(line, &y)| {
             for (value, &x) in line.iter_mut().zip(x) {
                 for axle in self.train.axles() {
@@ -472,20 +327,7 @@ impl GroundField<'_> {
                 }
             }
         });
-    }
-
-    /// Largest remainder midway between the train and its images: half a period from it along x, and along y.
-    fn border(&self, field: &Array2<f64>, grid: &Grid) -> f64 {
-        let middle = -0.5 * self.train.length();
-        let index = |axis: &Axis, position: f64| {
-            (((position - axis.from) / axis.step).round() as i64).rem_euclid(axis.period_count as i64)
-                as usize
-        };
-        let column = index(&grid.x, middle + 0.5 * grid.x.period());
-        let row = index(&grid.y, 0.5 * grid.y.period());
-        let along = field.column(column).iter().fold(0.0f64, |m, v| m.max(v.abs()));
-        let across = field.row(row).iter().fold(0.0f64, |m, v| m.max(v.abs()));
-        along.max(across)
+        Ok(())
     }
 
     /// (1/4π²)·2∬ beyond |β_y| = π/Δy of a spectrum falling like β_y⁻²: 2 β_N Σ |ũ(β_x, β_N)| Δβ_x, for both signs of β_x.

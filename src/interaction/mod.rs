@@ -2,13 +2,15 @@
 
 mod far_field;
 mod ground_field;
+mod ground_grid;
 mod harmonic_load;
 mod moving_load;
 mod section;
 mod wheel_rail;
 
 pub use far_field::FarField;
-pub use ground_field::{Field, GroundField, GroundFieldError, GroundLoad, Quantity, Window};
+pub use ground_field::{Field, GroundField, GroundFieldError};
+pub use ground_grid::{GroundLoad, Quantity, Window};
 pub use harmonic_load::HarmonicLoad;
 pub use moving_load::{InteractionError, MovingLoad, MovingSpectrum, Shape, TrackOnFoundation};
 pub use section::Section;

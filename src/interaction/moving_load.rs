@@ -88,7 +88,7 @@ impl<'a> TrackOnFoundation<'a> {
     /// whether there is such a wavenumber.
     fn extent(&self, speed: f64) -> Result<(f64, f64, bool), InteractionError> {
         // in steps of ln ω that are the same at all speeds, so that foundations may keep what is dear at each ω
-        const STEP: f64 = 0.5;
+        const STEP: f64 = 0.25;
         let shift = if speed == 0.0 { 0.0 } else { speed.abs().ln() };
         // of an axle spread over 2a the spectrum falls slowly, but its signs change: sixty radians leave 1/60² of it
         let enough = if self.half_length > 0.0 { 60.0 / self.half_length } else { BETA_CAP };

@@ -63,8 +63,7 @@ impl Section {
                 force(beta) * ground.receiver(beta, strip.half_width, y, relative).value
             };
             let largest = (0..=12).map(|i| h(slowest * f64::from(i) / 12.0).norm()).fold(0.0, f64::max);
-            let table =
-                Interpolant::new(|nodes| nodes.map(h), &points(top), |_, _| 0.3 * ACCURACY * largest);
+            let table = Interpolant::new(|nodes| nodes.map(h), &points(top), |_, _| 0.3 * ACCURACY * largest);
             transfers.push(table);
             reach.push(top);
         }

@@ -271,8 +271,7 @@ impl FreeField {
             );
         }
         if let Some(roughness) = &self.roughness {
-            let driving: Vec<f64> =
-                components.iter().map(|c| c.wavenumber * self.speed / TAU).collect();
+            let driving: Vec<f64> = components.iter().map(|c| c.wavenumber * self.speed / TAU).collect();
             // one-sided in f̃ = Ωv/2π: S_P = |P|² S dΩ/df̃
             let density: Vec<f64> = components
                 .iter()
@@ -424,7 +423,13 @@ impl FreeField {
         let series = self.receivers.iter().enumerate();
         let series = series.map(|(r, y)| line(format!("{y} m"), centres, row(parts[2], r), Stroke::Solid));
         figures.push((
-            figure("free_field_receivers".into(), format!("Ground velocity, {at}"), band, velocity, series.collect()),
+            figure(
+                "free_field_receivers".into(),
+                format!("Ground velocity, {at}"),
+                band,
+                velocity,
+                series.collect(),
+            ),
             "Total of all receivers.".into(),
         ));
         if self.receivers.len() > 1 {
@@ -442,7 +447,13 @@ impl FreeField {
             let series = series.filter(|s| s.y.iter().all(|y| *y > 0.0)).collect();
             let label = "distance from the centre line [m]";
             figures.push((
-                figure("free_field_distance".into(), format!("Ground velocity against distance, {at}"), label, velocity, series),
+                figure(
+                    "free_field_distance".into(),
+                    format!("Ground velocity against distance, {at}"),
+                    label,
+                    velocity,
+                    series,
+                ),
                 "R.m.s. velocity of all bands together.".into(),
             ));
         }

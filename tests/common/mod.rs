@@ -1,9 +1,15 @@
-//! The grounds of the reference files, and a reader for their tables.
+//! The grounds of the reference files, a reader for their tables, and what tests and benches share.
 #![allow(dead_code)]
 
+pub mod cli;
 pub mod tracks;
 
-use groundwave::soil::{Base, Elastic, Layer, Material, Profile};
+use groundwave::soil::{Base, Compatibility, Elastic, Layer, Material, PreparedGround, Profile, Strip};
+use num_complex::Complex64;
+use std::hint::black_box;
+
+/// The contact of application 2's ballasted track.
+pub const STRIP: Strip = Strip { half_width: 1.25, compatibility: Compatibility::Centre };
 
 /// A soil from (E, ν, ρ, η).
 pub fn soil(young: f64, poisson: f64, density: f64, eta: f64) -> Material {
@@ -43,4 +49,9 @@ pub fn named(name: &str) -> Profile {
 /// The rows of a CSV with a header line, split at commas.
 pub fn rows(text: &str) -> Vec<Vec<&str>> {
     text.lines().skip(1).filter(|l| !l.is_empty()).map(|l| l.split(',').collect()).collect()
+}
+
+/// Σ u_zz at `count` wavenumbers up to 10 rad/m: the baseline of the benches.
+pub fn sum_u_zz(ground: &dyn PreparedGround, count: u32) -> Complex64 {
+    (1..=count).map(|i| ground.u_zz(black_box(10.0 / f64::from(count) * f64::from(i)))).sum()
 }
