@@ -8,5 +8,6 @@ mod critical_speed;
 mod depths;
 mod k_eq;
 mod light_damping;
+mod receptance;
 mod surface_compliance;
 mod thin_layer;

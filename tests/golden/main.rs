@@ -12,7 +12,10 @@ const CASES: &[&str] = &[
     "kaynia2000_ledsgard_70",
     "kaynia2000_ledsgard_power_car_last",
     "lamprea2022_ballasted",
+    "lamprea2022_free_field",
     "lamprea2022_half_space",
+    "lamprea2022_receptance_ballasted",
+    "lamprea2022_receptance_slab",
     "lamprea2022_slab",
     "mezher2016_profile3_ballasted",
     "mezher2016_profile3_slab",
@@ -39,6 +42,10 @@ fn shrink(study: &mut Study) {
         Study::Dispersion(study) => {
             study.frequencies = study.frequencies.iter().copied().step_by(5).collect();
         }
+        Study::Receptance(study) => {
+            study.frequencies = study.frequencies.iter().copied().step_by(20).collect();
+        }
+        Study::FreeField(study) => study.bands = study.bands.iter().copied().step_by(6).collect(),
         Study::EquivalentStiffness(_) | Study::SurfaceCompliance(_) => {}
     }
 }

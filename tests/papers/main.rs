@@ -2,6 +2,7 @@
 //!
 //! Measured values stand beside the tolerances; all lengths in millimetres, speeds in m/s unless named km/h.
 
+mod application3;
 mod closed_forms;
 mod dispersion;
 mod lamprea;
@@ -99,7 +100,7 @@ fn no_case_is_forgotten() {
         })
         .collect();
     found.sort();
-    let mut tested = [lamprea::CASES, ledsgard::CASES, mezher::CASES].concat();
+    let mut tested = [application3::CASES, lamprea::CASES, ledsgard::CASES, mezher::CASES].concat();
     tested.sort_unstable();
     assert_eq!(found, tested);
 }
