@@ -5,7 +5,7 @@ use super::verification::Verification;
 use crate::concern::Concern;
 use crate::output::{Report, ReportTable};
 use crate::soil::{Base, Material};
-use crate::study::{Contact, Model, Outcome, Support};
+use crate::study::{Contact, Model, Outcome, Study, Support};
 
 /// Name of the ground's solver, for people and attributes.
 pub fn solver(model: &Model) -> &'static str {
@@ -83,13 +83,44 @@ fn train_table(model: &Model) -> Option<ReportTable> {
     })
 }
 
-fn assumptions(model: &Model) -> Vec<String> {
+/// What excites the railway: axle loads, a standing force, the roughness of the rail.
+fn excitation(studies: &[Study]) -> Vec<String> {
+    let mut list = Vec::new();
+    let moving =
+        |s: &Study| matches!(s, Study::CriticalSpeed(_) | Study::TrackResponse(_) | Study::Contour(_));
+    if studies.iter().any(moving) {
+        list.push("Loads are constant axle loads moving at constant speed (quasi-static excitation); rail roughness and vehicle dynamics are not in critical speed, track response and contour.".to_owned());
+    }
+    for study in studies {
+        match study {
+            Study::Receptance(_) => list.push("Receptances are per unit harmonic force e^{iωt} standing on the rail (on the whole track: both rails alike).".into()),
+            Study::FreeField(study) => {
+                list.push("The free field is vertical, unweighted, at the surface of the open ground: no building, no coupling loss. Third octaves are exact base-10 bands; the r.m.s. is over the passage time.".into());
+                list.push(match &study.roughness {
+                    Some(roughness) => format!(
+                        "Quasi-static part: constant moving axle loads. Dynamic part: the expected value over all profiles of the spectrum, wheels and rails in linear contact (k_H = {:.3e} N/m per wheelset), unsprung masses of {} kg alone; both rails have the same profile: {}, wavelengths {} to {} m.",
+                        roughness.contact,
+                        roughness.unsprung_mass,
+                        roughness.spectrum.text(),
+                        roughness.wavelengths.0,
+                        roughness.wavelengths.1
+                    ),
+                    None => "The rail is smooth: the quasi-static part of constant moving axle loads alone.".into(),
+                });
+            }
+            _ => {}
+        }
+    }
+    list
+}
+
+fn assumptions(model: &Model, studies: &[Study]) -> Vec<String> {
     let mut list = vec![
         "Linear and uniform along the track: one profile, one track, no structures, no transition.".to_owned(),
-        "Loads are constant axle loads moving at constant speed (quasi-static excitation); rail roughness and vehicle dynamics are not in this result.".to_owned(),
         "Displacements are positive down, and measured from the unloaded state; x′ is the position relative to the leading axle, positive ahead.".to_owned(),
         "Track values are for the whole track: both rails.".to_owned(),
     ];
+    list.extend(excitation(studies));
     match model.support() {
         Support::Ground(profile, solver) => {
             list.push("Horizontally layered, isotropic ground with hysteretic damping M* = M (1 + iη sgn ω); small strains: if the computed strains are large, use strain-reduced moduli.".into());
@@ -158,7 +189,7 @@ pub fn report(
             .flatten()
             .collect(),
         case_text: inputs(case),
-        assumptions: assumptions(&case.model),
+        assumptions: assumptions(&case.model, &case.studies),
         concerns: concerns.to_vec(),
         references: case.references.clone(),
     }

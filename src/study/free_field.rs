@@ -437,12 +437,13 @@ impl FreeField {
                 let sum = |r| row(v, r).iter().map(|v| v * v).sum::<f64>().sqrt();
                 (0..self.receivers.len()).map(sum).collect::<Vec<f64>>()
             };
-            let names = ["quasi-static", "dynamic", "total"];
-            let series = names.iter().zip(parts).map(|(name, v)| Series {
-                name: (*name).into(),
+            let names =
+                [("quasi-static", Stroke::Dashed), ("dynamic", Stroke::Points), ("total", Stroke::Solid)];
+            let series = names.iter().zip(parts).map(|(&(name, stroke), v)| Series {
+                name: name.into(),
                 x: self.receivers.clone(),
                 y: sums(v),
-                stroke: if *name == "total" { Stroke::Solid } else { Stroke::Dashed },
+                stroke,
             });
             let series = series.filter(|s| s.y.iter().all(|y| *y > 0.0)).collect();
             let label = "distance from the centre line [m]";
