@@ -5,6 +5,7 @@ mod ground_field;
 mod ground_grid;
 mod harmonic_load;
 mod moving_load;
+mod passage;
 mod section;
 mod wheel_rail;
 
@@ -13,5 +14,6 @@ pub use ground_field::{Field, GroundField, GroundFieldError};
 pub use ground_grid::{GroundLoad, Quantity, Window};
 pub use harmonic_load::HarmonicLoad;
 pub use moving_load::{InteractionError, MovingLoad, MovingSpectrum, Shape, TrackOnFoundation};
-pub use section::Section;
+pub use passage::Passage;
+pub use section::{Section, transfer};
 pub use wheel_rail::WheelRail;

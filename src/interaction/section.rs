@@ -15,6 +15,20 @@ use num_complex::Complex64;
 /// Error of h relative to its largest value.
 const ACCURACY: f64 = 1e-3;
 
+/// h(β) at one receiver itself, without a table: [m per N/m] to 1e-5, however small it is.
+pub fn transfer(
+    stack: &Stack,
+    ground: &dyn PreparedGround,
+    strip: Strip,
+    (beta, omega): (f64, f64),
+    y: f64,
+) -> Complex64 {
+    const EXACT: f64 = 1e-5;
+    let stiffness = 1.0 / ground.strip(beta, strip, EXACT).value;
+    let force = stack.respond(beta, omega, stiffness).base * stiffness;
+    force * ground.receiver(beta, strip.half_width, y, EXACT).value
+}
+
 /// h at one ω for some receivers.
 pub struct Section {
     transfers: Vec<Interpolant>,

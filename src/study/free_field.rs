@@ -15,12 +15,12 @@ use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
 use crate::foundation::LayeredSoil;
-use crate::interaction::{Section, TrackOnFoundation, WheelRail};
+use crate::interaction::{Section, TrackOnFoundation, WheelRail, transfer};
 use crate::irregularity::Spectrum;
 use crate::math::interpolation::cubic_weights;
 use crate::progress::Observer;
 use crate::soil::Solver;
-use crate::vehicle::{Multibody, Train};
+use crate::vehicle::{Axle, Multibody, Train};
 use nalgebra::DMatrix;
 use ndarray::{Array1, Array2};
 use num_complex::Complex64;
@@ -36,6 +36,11 @@ const COMPONENTS: f64 = 200.0;
 /// Accuracy of G, and the wavenumbers thin layers must resolve [rad/m].
 const GROUND_ACCURACY: f64 = 1e-4;
 const K_MAX: f64 = 30.0;
+
+/// The solver for integrals whose every point has its own ω: modes would serve one point each.
+fn pointwise(solver: Solver) -> Solver {
+    if solver.has_modes() { Solver::DirectStiffness } else { solver }
+}
 
 /// Wheels that follow a rough rail.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,9 +71,11 @@ pub struct FreeField {
     pub roughness: Option<Roughness>,
 }
 
-/// One-sided energy density of the velocity, 2ω²|û|² [m² /s² s/Hz], at one frequency, for each receiver.
+/// The ground at one frequency, for each receiver.
 struct Density {
-    quasi_static: Vec<f64>,
+    /// |h(−ω/v, ω)|²
+    along: Vec<f64>,
+    /// One-sided energy density of the dynamic velocity, E 2ω²|û|² [m²/s² s/Hz].
     dynamic: Vec<f64>,
     converged: bool,
 }
@@ -101,9 +108,8 @@ impl FreeField {
     ) -> Result<(Vec<Component>, bool), StudyError> {
         let (profile, solver) = model.ground("free_field")?;
         let strip = model.contact().strip().ok_or(StudyError::PointLoad)?;
-        // each β along ω̃ − βv has its own ω: modes would serve one integral each
-        let solver = if solver.has_modes() { Solver::DirectStiffness } else { solver };
-        let soil = LayeredSoil::new(profile.clone(), solver, strip)?;
+        // each β along ω̃ − βv has its own ω
+        let soil = LayeredSoil::new(profile.clone(), pointwise(solver), strip)?;
         let track = TrackOnFoundation::new(model.stack(), &soil, 0.0);
         let offsets: Vec<f64> = train.axles().iter().map(|a| a.position).collect();
         let wheel = Multibody::unsprung(roughness.unsprung_mass, train.heaviest_axle().total_load())?;
@@ -154,32 +160,54 @@ impl FreeField {
         Ok((components, table.iter().all(|t| t.1)))
     }
 
-    /// Energy densities at frequency `cell.0` [Hz], those of the axle loads averaged over the cell's width `cell.1` [Hz].
+    /// Energy [m²/s² s] of the axle loads in band number `band` at receiver `r`: ∫ 2ω² |h|² |Σ P_i e^{−iωa_i/v}|²/v² df, ln |h|² by cubics
+    /// in ln f between `cells`, sampled as finely as the phases turn.
+    fn quasi_static(
+        &self,
+        (band, r): (usize, usize),
+        densities: &[Density],
+        cells: &[(f64, f64)],
+        train: &Train,
+    ) -> f64 {
+        let (low, step) = (cells[0].0.ln(), (cells[1].0 / cells[0].0).ln());
+        let at = |f: f64| {
+            let place = (f.ln() - low) / step;
+            let i = (place.floor() as isize).clamp(1, cells.len() as isize - 3) as usize;
+            let weights = cubic_weights(place - i as f64);
+            // of what is nothing there is no logarithm
+            (0..4).map(|m| weights[m] * densities[i + m - 1].along[r].max(1e-300).ln()).sum::<f64>().exp()
+        };
+        let (from, to) = (self.bands[band].lower(), self.bands[band].upper());
+        let turns = (to - from) * train.length() / self.speed;
+        let samples = 16 + (8.0 * turns).ceil() as usize;
+        let width = (to - from) / samples as f64;
+        (0..samples)
+            .map(|s| {
+                let f = from + width * (s as f64 + 0.5);
+                let loads: Complex64 = train
+                    .axles()
+                    .iter()
+                    .map(|a| a.load * Complex64::cis(-TAU * f * a.position / self.speed))
+                    .sum();
+                2.0 * (TAU * f / self.speed).powi(2) * at(f) * loads.norm_sqr() * width
+            })
+            .sum()
+    }
+
+    /// The ground at `frequency` [Hz] and what the components do to it.
     fn density(
         &self,
-        cell: (f64, f64),
+        frequency: f64,
         components: &[Component],
         model: &Model,
         train: &Train,
     ) -> Result<Density, StudyError> {
         let (profile, solver) = model.ground("free_field")?;
         let strip = model.contact().strip().ok_or(StudyError::PointLoad)?;
-        let omega = TAU * cell.0;
+        let omega = TAU * frequency;
         let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
         let section = Section::new(model.stack(), ground.as_ref(), strip, omega, &self.receivers);
         let axles = train.axles();
-        // |Σ P_i e^{−iωa_i/v}|², averaged where it turns within the cell
-        let turns = cell.1 * train.length() / self.speed;
-        let samples = (8.0 * turns).ceil() as usize + 1;
-        let loads: f64 = (0..samples)
-            .map(|s| {
-                let f = cell.0 + cell.1 * ((s as f64 + 0.5) / samples as f64 - 0.5);
-                let sum: Complex64 =
-                    axles.iter().map(|a| a.load * Complex64::cis(-TAU * f * a.position / self.speed)).sum();
-                sum.norm_sqr()
-            })
-            .sum::<f64>()
-            / samples as f64;
         let scale = 2.0 * omega * omega;
         let mut dynamic = vec![0.0; self.receivers.len()];
         let shift = omega / self.speed;
@@ -202,10 +230,10 @@ impl FreeField {
                 *slot += scale * component.weight * (up.norm_sqr() * near + down.norm_sqr() * far);
             }
         }
-        let quasi_static = (0..self.receivers.len())
-            .map(|r| scale * loads * section.transfer(r, shift).norm_sqr() / self.speed.powi(2))
-            .collect();
-        Ok(Density { quasi_static, dynamic, converged: section.converged() })
+        // small beside the largest h where the axles are slower than the waves: not from the table
+        let h = |y: f64| transfer(model.stack(), ground.as_ref(), strip, (shift, omega), y);
+        let along = self.receivers.iter().map(|&y| h(y).norm_sqr()).collect();
+        Ok(Density { along, dynamic, converged: section.converged() })
     }
 
     /// Third-octave r.m.s. velocities of the pass, quasi-static, dynamic and total.
@@ -227,7 +255,7 @@ impl FreeField {
         let densities: Vec<Density> = cells
             .par_iter()
             .map(|cell| {
-                let density = self.density(*cell, &components, model, train);
+                let density = self.density(cell.0, &components, model, train);
                 observer.advance();
                 density
             })
@@ -235,18 +263,23 @@ impl FreeField {
         observer.end();
 
         let shape = (self.receivers.len(), self.bands.len());
-        let banded = |part: &dyn Fn(&Density, usize) -> f64| {
-            let mut v = Array2::zeros(shape);
-            for ((r, b), slot) in v.indexed_iter_mut() {
-                let energy: f64 =
-                    (b * PER_BAND..(b + 1) * PER_BAND).map(|i| part(&densities[i], r) * cells[i].1).sum();
-                *slot = rms(energy, passage_time)?;
+        let widths: Vec<f64> = cells.iter().map(|c| c.1).collect();
+        let energies = [
+            Array2::from_shape_fn(shape, |(r, b)| self.quasi_static((b, r), &densities, &cells, train)),
+            Array2::from_shape_fn(shape, |(r, b)| {
+                let cells = b * PER_BAND..(b + 1) * PER_BAND;
+                cells.map(|i| densities[i].dynamic[r] * widths[i]).sum()
+            }),
+        ];
+        let velocity = |energy: &Array2<f64>| {
+            let mut v = energy.clone();
+            for slot in &mut v {
+                *slot = rms(*slot, passage_time)?;
             }
             Ok::<_, StudyError>(v)
         };
-        let quasi_static = banded(&|d, r| d.quasi_static[r])?;
-        let dynamic = banded(&|d, r| d.dynamic[r])?;
-        let total = banded(&|d, r| d.quasi_static[r] + d.dynamic[r])?;
+        let (quasi_static, dynamic) = (velocity(&energies[0])?, velocity(&energies[1])?);
+        let total = velocity(&(&energies[0] + &energies[1]))?;
 
         let centres: Vec<f64> = self.bands.iter().map(|band| band.centre()).collect();
         let mut group = Group::new("free_field")
@@ -270,6 +303,16 @@ impl FreeField {
                 &format!("r.m.s. velocity over the passage time: {what}"),
             );
         }
+        let (time, histories) = self.histories(model, train, observer)?;
+        group = group
+            .coordinate("time", &time, "s", "time after the leading axle was abreast of the receivers")
+            .variable(
+                "v_quasi_static",
+                &["receiver", "time"],
+                histories.clone().into_dyn(),
+                "m s-1",
+                "velocity of the quasi-static part, positive down",
+            );
         if let Some(roughness) = &self.roughness {
             let driving: Vec<f64> = components.iter().map(|c| c.wavenumber * self.speed / TAU).collect();
             // one-sided in f̃ = Ωv/2π: S_P = |P|² S dΩ/df̃
@@ -297,7 +340,9 @@ impl FreeField {
                 );
         }
         let answers = self.answers(passage_time, &quasi_static, &dynamic, &total)?;
-        let figures = self.figures(passage_time, &centres, [&quasi_static, &dynamic, &total], &components);
+        let mut figures =
+            self.figures(passage_time, &centres, [&quasi_static, &dynamic, &total], &components);
+        figures.push(self.history_figure(&time, &histories));
         let mut concerns = self.concerns(model);
         if !accurate || densities.iter().any(|d| !d.converged) {
             concerns.push(Concern::new(
@@ -307,6 +352,45 @@ impl FreeField {
             ));
         }
         Ok(Outcome { group, figures, answers, concerns })
+    }
+
+    /// Velocity of the quasi-static part at the receivers, and its times.
+    fn histories(
+        &self,
+        model: &Model,
+        train: &Train,
+        observer: &dyn Observer,
+    ) -> Result<(Vec<f64>, Array2<f64>), StudyError> {
+        let (profile, solver) = model.ground("free_field")?;
+        let strip = model.contact().strip().ok_or(StudyError::PointLoad)?;
+        let solver = pointwise(solver);
+        let soil = LayeredSoil::new(profile.clone(), solver, strip)?;
+        let track = TrackOnFoundation::new(model.stack(), &soil, 0.0);
+        let farthest = self.receivers.iter().copied().fold(0.0, f64::max);
+        // eight samples of the shortest period
+        let highest = self.bands.iter().map(|band| band.upper()).fold(0.0, f64::max);
+        let step = 1.0 / (8.0 * highest);
+        let before = (4.0 * farthest / self.speed).max(0.5);
+        let count = ((train.length() / self.speed + 2.0 * before) / step).ceil() as usize;
+        let time: Vec<f64> = (0..count).map(|i| step * i as f64 - before).collect();
+        let reach = self.speed * before + train.length();
+        let lead = train.axles()[0].position;
+        observer.begin("passage", self.receivers.len() as u64);
+        let rows: Vec<Vec<f64>> = self
+            .receivers
+            .par_iter()
+            .map(|&y| {
+                let passage = track.passage((profile, solver), strip, self.speed, y, reach)?;
+                let one = |t: f64| {
+                    let part = |a: &Axle| a.load * passage.velocity(t - (a.position - lead) / self.speed);
+                    train.axles().iter().map(part).sum()
+                };
+                observer.advance();
+                Ok(time.par_iter().map(|t| one(*t)).collect())
+            })
+            .collect::<Result<_, StudyError>>()?;
+        observer.end();
+        Ok((time, Array2::from_shape_fn((rows.len(), count), |(r, i)| rows[r][i])))
     }
 
     fn answers(
@@ -477,6 +561,30 @@ impl FreeField {
             ));
         }
         figures
+    }
+
+    fn history_figure(&self, time: &[f64], histories: &Array2<f64>) -> (Figure, String) {
+        let series = self.receivers.iter().enumerate().map(|(r, y)| Series {
+            name: format!("{y} m"),
+            x: time.to_vec(),
+            y: histories.row(r).iter().map(|v| 1e3 * v).collect(),
+            stroke: Stroke::Solid,
+        });
+        let figure = LineFigure {
+            name: "free_field_history".into(),
+            title: format!("Quasi-static ground velocity, {}", speed_text(self.speed)),
+            x_label: "time after the leading axle was abreast [s]".into(),
+            y_label: "velocity [mm/s], positive down".into(),
+            second_x: None,
+            y_down: true,
+            log_x: false,
+            log_y: false,
+            series: series.collect(),
+            marks: Vec::new(),
+        };
+        let caption =
+            "Vertical velocity of the ground under the constant axle loads alone, without the rough rail.";
+        (Figure::Lines(figure), caption.into())
     }
 
     fn concerns(&self, model: &Model) -> Vec<Concern> {

@@ -8,6 +8,7 @@ mod critical_speed;
 mod depths;
 mod k_eq;
 mod light_damping;
+mod passage;
 mod receptance;
 mod surface_compliance;
 mod thin_layer;

@@ -1,0 +1,127 @@
+//! What a constant load passing at constant speed does to a receiver: the quasi-static history, without period or wrap-around.
+//!
+//! ```text
+//! w(x′; y) = (1/π) Re ∫₀^∞ q̃(β) R(β, −βv; y) e^{iβx′} dβ,   u(t) = w(−vt),   q̃ = k_eq ũ_base
+//! ```
+//!
+//! with R the receiver integral of the ground. It is the line at y through the contour around the load.
+
+use super::{InteractionError, TrackOnFoundation};
+use crate::math::complex::I;
+use crate::math::interpolation::Interpolant;
+use crate::math::quadrature::{Adaptive, Tolerance};
+use crate::soil::{GroundSolver, Profile, SoilError, Solver, Strip};
+use num_complex::Complex64;
+use std::cell::RefCell;
+use std::f64::consts::PI;
+
+/// Wanted error relative to the largest displacement.
+const ACCURACY: f64 = 1e-5;
+/// Below it [rad/m] R keeps its value: its logarithm makes that an error of 1e-6.
+const BETA_MIN: f64 = 1e-6;
+
+/// The history at one receiver of a unit load.
+#[derive(Clone, Debug)]
+pub struct Passage {
+    speed: f64,
+    beta: Vec<f64>,
+    /// Spectrum times weight/π.
+    spectrum: Vec<Complex64>,
+    /// False where an integral missed its accuracy.
+    pub converged: bool,
+}
+
+impl Passage {
+    /// Displacement u_z [m/N], positive down, `time` [s] after the load was abreast.
+    pub fn displacement(&self, time: f64) -> f64 {
+        let x = -self.speed * time;
+        self.beta.iter().zip(&self.spectrum).map(|(beta, u)| (u * Complex64::cis(beta * x)).re).sum()
+    }
+
+    /// Velocity v_z = ∂u_z/∂t [m/s per N], positive down.
+    pub fn velocity(&self, time: f64) -> f64 {
+        let x = -self.speed * time;
+        let terms = self.beta.iter().zip(&self.spectrum);
+        terms.map(|(beta, u)| (-I * beta * self.speed * u * Complex64::cis(beta * x)).re).sum()
+    }
+}
+
+impl TrackOnFoundation<'_> {
+    /// A unit load at `speed` > 0 [m/s] passing a receiver at distance `y` [m] from the centre line, `ground` with its exact
+    /// `solver` under this track's `strip`; for times up to `reach` [m] over the speed.
+    ///
+    /// Accuracy: 1e-3 of the largest velocity of the contour (test `cross_solver::passage`).
+    ///
+    /// # Errors
+    /// A ground that cannot answer; a response that diverges.
+    pub fn passage(
+        &self,
+        ground: (&Profile, Solver),
+        strip: Strip,
+        speed: f64,
+        y: f64,
+        reach: f64,
+    ) -> Result<Passage, InteractionError> {
+        let spectrum = self.spectrum(speed)?;
+        let (profile, solver) = ground;
+        let failure: RefCell<Option<SoilError>> = RefCell::default();
+        let slowest = profile.slowest_rayleigh_speed();
+        // waves of the slowest material decay like e^{−√(1 − v²/c²)βy}; faster loads reach as far as the track lets them
+        let evanescent = (1.0 - (speed / slowest).powi(2)).max(0.0).sqrt() * (y - strip.half_width);
+        let beta_max = ((1.0 / ACCURACY).ln() + 3.0) / evanescent.max(1e-9);
+        let beta_max = beta_max.min(spectrum.force_extent());
+        let relative = |beta: f64| (0.3 * ACCURACY * (beta * evanescent).exp()).min(0.1);
+        let response = |beta: f64| {
+            if failure.borrow().is_some() {
+                return Complex64::ONE;
+            }
+            match solver.prepare(profile, -beta * speed, &[]) {
+                Ok(ground) => ground.receiver(beta, strip.half_width, y, relative(beta)).value,
+                Err(error) => {
+                    failure.replace(Some(error));
+                    Complex64::ONE
+                }
+            }
+        };
+        // in ln β, where layers and waves have even widths; errors count against what is felt near the layers' wavenumbers
+        let size = response(0.3 * beta_max.min(1.0)).norm();
+        let ends: Vec<f64> =
+            [BETA_MIN, 1e-3, 0.03, 0.3, 3.0].iter().copied().filter(|b| *b < 0.9 * beta_max).collect();
+        let ends: Vec<f64> = ends.into_iter().chain([beta_max]).map(f64::ln).collect();
+        let table = Interpolant::new(
+            |nodes| nodes.map(|x| response(x.exp())),
+            &ends,
+            |_, value| {
+                if failure.borrow().is_some() { f64::INFINITY } else { ACCURACY * size.max(value.norm()) }
+            },
+        );
+        if let Some(error) = failure.borrow_mut().take() {
+            return Err(crate::foundation::FoundationError::from(error).into());
+        }
+        let mut integrand = |beta: f64| spectrum.force(beta) * table.at(beta.max(BETA_MIN).ln());
+        let widest = 14.0 / reach.max(1.0);
+        let mut points = vec![0.0, BETA_MIN];
+        let mut beta = BETA_MIN;
+        while beta < beta_max {
+            beta = (beta + (3.0 * beta).min(widest)).min(beta_max);
+            points.push(beta);
+        }
+        let mut integral = Adaptive::new();
+        integral.add(&mut integrand, &points);
+        let tolerance = Tolerance { relative: ACCURACY, absolute: 0.0, max_count: 200_000 };
+        let estimate = integral.refine(&mut integrand, Complex64::ZERO, tolerance);
+        let mut passage = Passage {
+            speed,
+            beta: Vec::new(),
+            spectrum: Vec::new(),
+            converged: table.converged && estimate.converged && spectrum.converged(),
+        };
+        for panel in integral.into_panels() {
+            for i in 0..15 {
+                passage.beta.push(panel.x[i]);
+                passage.spectrum.push(panel.f[i] * (panel.w[i] / PI));
+            }
+        }
+        Ok(passage)
+    }
+}
