@@ -11,6 +11,7 @@
 
 use crate::common::{STRIP, named, tracks};
 use groundwave::assessment::Band;
+use groundwave::dataset::Group;
 use groundwave::foundation::LayeredSoil;
 use groundwave::interaction::{Section, TrackOnFoundation, WheelRail};
 use groundwave::irregularity::{Component, German, Realisation, Spectrum};
@@ -202,14 +203,20 @@ fn march(stack: &Stack, profile: &Profile, force: &(dyn Fn(f64) -> f64 + Sync)) 
     let (size, early) = (2048usize, 128usize);
     let df = rate / size as f64;
     let step = SPEED / rate;
-    // force on 900 m either side of the receiver
-    let reach = (900.0 / step) as usize;
+    // force on 600 m either side of the receiver
+    let reach = (600.0 / step) as usize;
     let lines: Vec<Vec<Complex64>> = (1..(115.0 / df) as usize)
         .into_par_iter()
         .map(|i| {
             let f = i as f64 * df;
             // damping fades long waves over kilometres
-            let period = if f < 6.0 { 32768 } else { 8192 };
+            let period = if f < 6.0 {
+                32768
+            } else if f < 20.0 {
+                8192
+            } else {
+                4096
+            };
             let mut h = standing(Of::Ground, stack, profile, f, step, period, reach + 1);
             h.iter_mut().for_each(|h| *h *= taper(f, 95.0, 115.0));
             h
@@ -388,14 +395,15 @@ fn one_wheel_in_time() {
             .zip(&own)
             .map(|((c, w), p)| c.amplitude * (p * Complex64::cis(w * t + c.phase)).re)
             .sum();
-        sum * taper(SPEED * t, 600.0, 900.0)
+        sum * taper(SPEED * t, 400.0, 600.0)
     };
     let (step, u, early) = march(&stack, &profile, &force);
     println!("before its cause, ground: {early:e} of the energy");
     assert!(early < 1e-5, "{early:e}");
     let in_time = band_energies(step, &u, &bands);
 
-    let per_band = 10;
+    // a single run has Doppler peaks near edges of bands: ten cells in a band instead of these miss 2.4 % of it
+    let per_band = 20;
     let cells = cells(&bands, per_band);
     let h = transfers(&stack, &driving, &cells);
     let library = library_energies(&components, &forces, &h, &cells, per_band);
@@ -407,6 +415,10 @@ fn one_wheel_in_time() {
             band.label(),
             b / largest
         );
+        // bands with energy: measured 1.7e-3; the others, to which low components leak and in which waves fade over more than the
+        // 600 m of the force, 9.1e-3 at 3.15 Hz
+        let allowed = if *b > 0.01 * largest { 5e-3 } else { 0.02 };
+        assert!(difference.abs() < allowed, "{difference}");
     }
 }
 
@@ -459,7 +471,7 @@ fn seeds_scatter_about_the_expected_value() {
         .collect();
     let cells = cells(&bands, per_band);
     let h = transfers(&stack, &driving, &cells);
-    let count = 20;
+    let count = 400;
     let energies: Vec<Vec<f64>> = (0..count)
         .map(|seed| library_energies(of(seed).components(), &forces, &h, &cells, per_band))
         .collect();
@@ -485,17 +497,18 @@ fn seeds_scatter_about_the_expected_value() {
                 2.0 * (TAU * cells[i].0).powi(2) * sum * cells[i].1
             })
             .sum();
-        println!(
-            "{:>5} Hz: mean {mean:.3} ± {error:.3}, without cross terms {:.5}",
-            band.label(),
-            incoherent / expected[b]
-        );
+        let incoherent = incoherent / expected[b];
+        println!("{:>5} Hz: mean {mean:.3} ± {error:.3}, without cross terms {incoherent:.5}", band.label());
+        // the error of the mean is 2 to 3.3 %; measured at most 2.3 of them (8 Hz)
+        assert!((mean - 1.0).abs() < 3.0 * error, "{mean} ± {error}");
+        // r.m.s. measured 6.8e-3 at 8 Hz: INCOHERENT_REASON
+        assert!((incoherent.sqrt() - 1.0).abs() < 0.01, "{incoherent}");
     }
 }
 
 #[test]
 fn a_smooth_rail_makes_no_force() {
-    let bands = Band::range(8.0, 31.5).unwrap();
+    let bands = Band::range(2.0, 8.0).unwrap();
     let smooth = FreeField { roughness: None, ..study(&bands, (1.0, 10.0)) };
     let model = model(Solver::DirectStiffness);
     assert!(band_rms(&smooth, &model, "v_rms_dynamic").iter().all(|v| *v == 0.0));
@@ -524,7 +537,10 @@ fn standing_wheels_are_reciprocal() {
             let wheels = WheelRail { track: &track, bodies: &bodies, contact: &[CONTACT; 2], speed };
             let (alpha, converged) = wheels.rail(TAU * f).unwrap();
             let difference = (alpha[(0, 1)] - alpha[(1, 0)]).norm() / alpha[(0, 0)].norm();
-            println!("{f} Hz, {speed} m/s: {difference:e}, {converged}");
+            println!("{f} Hz, {speed} m/s: {difference:e}");
+            // standing, α is even by construction; measured 1.8e-16. Almost standing, both sides are integrated by themselves, each
+            // to 1e-4; measured 1.8e-5, and v/c is 1e-5
+            assert!(converged && difference < if speed == 0.0 { 1e-9 } else { 1e-4 }, "{difference:e}");
         }
     }
 }
@@ -534,11 +550,16 @@ fn thin_layers_and_direct_stiffness_agree() {
     let bands = Band::range(2.0, 80.0).unwrap();
     let study = study(&bands, (SPEED / 100.0, SPEED / 1.5));
     let thin = Solver::ThinLayer(ThinLayer::default());
-    for part in ["v_rms_dynamic", "v_rms_quasi_static"] {
-        let [a, b] = [Solver::DirectStiffness, thin].map(|s| band_rms(&study, &model(s), part));
-        let worst = a.iter().zip(&b).map(|(a, b)| (b / a - 1.0).abs()).fold(0.0, f64::max);
+    let [a, b] = [Solver::DirectStiffness, thin].map(|s| study.run(&model(s), &Silent).unwrap().group);
+    let row =
+        |group: &Group, part: &str| -> Vec<f64> { group.get(part).unwrap().values.iter().copied().collect() };
+    for part in ["v_rms_dynamic", "v_rms_total", "v_rms_quasi_static"] {
+        let (a, b) = (row(&a, part), row(&b, part));
+        // the quasi-static part fades over seven decades of which only the first matter
+        let floor = if part == "v_rms_quasi_static" { a.iter().copied().fold(0.0, f64::max) } else { 0.0 };
+        let worst = a.iter().zip(&b).map(|(a, b)| (b - a).abs() / a.max(floor)).fold(0.0, f64::max);
         println!("{part}: {worst:e}");
-        println!("{a:?}");
-        println!("{b:?}");
+        // measured 1.9e-5 (dynamic), 1.5e-4 (total), 6.9e-5 (quasi-static, of its largest band)
+        assert!(worst < if part == "v_rms_dynamic" { 1e-4 } else { 5e-4 }, "{part}: {worst:e}");
     }
 }
