@@ -6,6 +6,7 @@ mod common;
 mod contour;
 mod critical_speed;
 mod depths;
+mod free_field;
 mod k_eq;
 mod light_damping;
 mod passage;
