@@ -5,7 +5,7 @@ use super::verification::Verification;
 use crate::concern::Concern;
 use crate::output::{Report, ReportTable};
 use crate::soil::{Base, Material};
-use crate::study::{Contact, Model, Outcome, Support};
+use crate::study::{Contact, Model, Outcome, Study, Support};
 
 /// Name of the ground's solver, for people and attributes.
 pub fn solver(model: &Model) -> &'static str {
@@ -83,10 +83,17 @@ fn train_table(model: &Model) -> Option<ReportTable> {
     })
 }
 
-fn assumptions(model: &Model) -> Vec<String> {
+fn assumptions(case: &Case) -> Vec<String> {
+    let model = &case.model;
+    let rough = case.studies.iter().any(|s| matches!(s, Study::FreeField(f) if f.roughness.is_some()));
+    let loads = if rough {
+        "Loads are constant axle loads moving at constant speed; the study free_field adds the forces of wheels that follow a rough rail through linear contacts, the expected value over profiles. All other studies leave them out."
+    } else {
+        "Loads are constant axle loads moving at constant speed (quasi-static excitation); rail roughness and vehicle dynamics are not in this result."
+    };
     let mut list = vec![
         "Linear and uniform along the track: one profile, one track, no structures, no transition.".to_owned(),
-        "Loads are constant axle loads moving at constant speed (quasi-static excitation); rail roughness and vehicle dynamics are not in this result.".to_owned(),
+        loads.to_owned(),
         "Displacements are positive down, and measured from the unloaded state; x′ is the position relative to the leading axle, positive ahead.".to_owned(),
         "Track values are for the whole track: both rails.".to_owned(),
     ];
@@ -158,7 +165,7 @@ pub fn report(
             .flatten()
             .collect(),
         case_text: inputs(case),
-        assumptions: assumptions(&case.model),
+        assumptions: assumptions(case),
         concerns: concerns.to_vec(),
         references: case.references.clone(),
     }

@@ -8,6 +8,8 @@
 //! E|û_dyn(ω)|² = ∫ ½ S(Ω) ( |H(Ω)|² + |H(−Ω)|² )/v² dΩ,   H(±Ω) = h(β, ω) Σ_i P_i(±Ω) e^{iβa_i},  β = ±Ω − ω/v
 //! v_rms = √( (1/π) ∫_band ω²|û|² dω / T )
 //! ```
+//!
+//! The file is long because it says the same result four times: as arrays, answers, pictures and concerns.
 
 use super::{Answer, Model, Outcome, StudyError, speed_text};
 use crate::assessment::{Band, Level, Reference, rms};
@@ -40,8 +42,8 @@ const K_MAX: f64 = 30.0;
 /// Wheels that follow a rough rail.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Roughness {
-    /// Unsprung mass of each wheelset [kg].
-    pub unsprung_mass: f64,
+    /// The whole train; its wheelsets stand where the axles of [`Train`] do, in their order.
+    pub bodies: Multibody,
     /// k_H of each wheelset [N/m].
     pub contact: f64,
     /// S(Ω) of the profile.
@@ -105,11 +107,9 @@ impl FreeField {
         let solver = if solver.has_modes() { Solver::DirectStiffness } else { solver };
         let soil = LayeredSoil::new(profile.clone(), solver, strip)?;
         let track = TrackOnFoundation::new(model.stack(), &soil, 0.0);
-        let offsets: Vec<f64> = train.axles().iter().map(|a| a.position).collect();
-        let wheel = Multibody::unsprung(roughness.unsprung_mass, train.heaviest_axle().total_load())?;
-        let bodies = wheel.row(&offsets)?;
-        let contact = vec![roughness.contact; offsets.len()];
-        let wheels = WheelRail { track: &track, bodies: &bodies, contact: &contact, speed: self.speed };
+        let bodies = &roughness.bodies;
+        let contact = vec![roughness.contact; bodies.wheelset_count()];
+        let wheels = WheelRail { track: &track, bodies, contact: &contact, speed: self.speed };
 
         let (shortest, longest) = roughness.wavelengths;
         let (low, high) = ((TAU / longest).ln(), (TAU / shortest).ln());
@@ -213,9 +213,9 @@ impl FreeField {
     /// Accuracy: 1 % of each band (test `cross_solver::free_field`).
     ///
     /// # Errors
-    /// No layered ground, no train, a receiver on the track, undamped waves.
+    /// No layered ground, no train, wheels that are not those of the train, a receiver on the track, undamped waves.
     pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
-        let train = model.train("free_field")?;
+        let train = self.train(model)?;
         let farthest = self.receivers.iter().copied().fold(0.0, f64::max);
         let passage_time = self.passage_time.unwrap_or((train.length() + 2.0 * farthest) / self.speed);
         let (components, accurate) = match &self.roughness {
@@ -524,13 +524,25 @@ impl FreeField {
         concerns
     }
 
+    /// The axles, which are those of the bodies.
+    fn train<'a>(&self, model: &'a Model) -> Result<&'a Train, StudyError> {
+        let train = model.train("free_field")?;
+        let Some(roughness) = &self.roughness else { return Ok(train) };
+        let (axles, wheels) = (train.axles(), roughness.bodies.axles());
+        let apart = axles.iter().zip(wheels).any(|(a, w)| (a.position - w.position).abs() > 1e-6);
+        if apart || axles.len() != wheels.len() {
+            return Err(StudyError::OtherWheels { axles: axles.len(), wheelsets: wheels.len() });
+        }
+        Ok(train)
+    }
+
     /// Refuses what cannot be answered before anything is computed.
     ///
     /// # Errors
     /// As `run`.
     pub fn check(&self, model: &Model) -> Result<(), StudyError> {
         model.ground("free_field")?;
-        model.train("free_field")?;
+        self.train(model)?;
         model.receivers(&self.receivers)?;
         // wheels shed waves of every phase speed
         model.check_damping(std::iter::once(f64::INFINITY))
