@@ -38,8 +38,11 @@ pub const ENTRIES: &[Entry] = &[
     entry!("tracks", "mezher2016_ballasted"),
     entry!("tracks", "mezher2016_slab"),
     entry!("tracks", "sheng1999_ballasted"),
+    entry!("vehicles", "goicolea2014_ice3"),
+    entry!("vehicles", "iwnicki1998_manchester_benchmark"),
     entry!("vehicles", "kaynia2000_x2000"),
     entry!("vehicles", "lamprea2022_axle"),
+    entry!("vehicles", "wu2003_shinkansen_s300"),
 ];
 
 /// The entry called `name` among those of `kind`.

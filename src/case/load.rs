@@ -1,12 +1,11 @@
 //! A case file → model and studies, everything checked before anything is computed.
 
 use super::error::{CaseError, Finding, from_toml};
-use super::schema::{AxleInput, CaseInput, SoilInput, TrainInput};
+use super::schema::{CaseInput, SoilInput};
 use super::values::Named;
-use super::{ground, library, studies, track};
+use super::{ground, library, studies, track, train};
 use crate::soil::{Profile, Solver};
 use crate::study::{Model, Study, Support};
-use crate::vehicle::{Axle, Train};
 use serde::de::DeserializeOwned;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -45,18 +44,35 @@ fn read<T: DeserializeOwned>(text: &str, name: &str) -> Result<T, CaseError> {
 
 /// A table in full, by library name, or from a TOML file beside the case: the table, the path prefix of its keys,
 /// and the file they stand in.
-struct Resolved<T> {
-    table: T,
+pub(super) struct Resolved<T> {
+    pub(super) table: T,
     prefix: String,
     name: String,
     text: String,
 }
 
-/// Longest train [m] and heaviest axle [N] a case may ask for.
-const LONGEST_TRAIN: f64 = 2000.0;
-const HEAVIEST_AXLE: f64 = 1e8;
+impl<T> Resolved<T> {
+    /// Path of its key `rest`.
+    pub(super) fn at(&self, rest: &str) -> String {
+        match (self.prefix.as_str(), rest) {
+            (prefix, "") => prefix.to_owned(),
+            ("", rest) => rest.to_owned(),
+            (prefix, rest) => format!("{prefix}.{rest}"),
+        }
+    }
 
-struct Loader<'a> {
+    /// A `message` about its key `rest`.
+    pub(super) fn fault(&self, rest: &str, message: impl ToString) -> CaseError {
+        Finding::new(self.at(rest), message).at(&self.name, &self.text)
+    }
+
+    /// The same with advice.
+    pub(super) fn advise(&self, rest: &str, message: impl ToString, help: impl Into<String>) -> CaseError {
+        Finding::new(self.at(rest), message).help(help).at(&self.name, &self.text)
+    }
+}
+
+pub(super) struct Loader<'a> {
     name: &'a str,
     text: &'a str,
     /// Reads a file beside the case.
@@ -76,7 +92,7 @@ impl Loader<'_> {
         Ok(text)
     }
 
-    fn resolve<T: DeserializeOwned + Clone>(
+    pub(super) fn resolve<T: DeserializeOwned + Clone>(
         &self,
         named: &Named<T>,
         key: &str,
@@ -144,100 +160,6 @@ impl Loader<'_> {
         let profile = ground::profile(&soil.table, &soil.prefix).map_err(|f| f.at(&soil.name, &soil.text))?;
         Ok((profile, solvers.0, solvers.1))
     }
-
-    fn train(&self, named: &Named<TrainInput>) -> Result<Train, CaseError> {
-        let resolved = self.resolve(named, "train", "vehicles")?;
-        let Resolved { table, prefix, name, text } = resolved;
-        let at = |rest: &str| if prefix.is_empty() { rest.to_owned() } else { format!("{prefix}.{rest}") };
-        let fault = |finding: Finding| finding.at(&name, &text);
-        // `count` times the axles, one `length` behind the other
-        let repeat = |axles: &[AxleInput],
-                      count: Option<usize>,
-                      length: Result<f64, &str>,
-                      at: &dyn Fn(&str) -> String|
-         -> Result<Vec<Axle>, CaseError> {
-            let count = count.unwrap_or(1);
-            if count == 0 || count > 1000 {
-                let message = format!("found {count}: it must lie between 1 and 1000");
-                return Err(fault(Finding::new(at("count"), message)));
-            }
-            let length = match (count, length) {
-                (1, _) => 0.0,
-                (_, Ok(length)) if length.is_finite() && length > 0.0 => length,
-                (_, Ok(length)) => {
-                    let message = format!("length is {length} m: it must be finite and above zero");
-                    return Err(fault(Finding::new(at("length"), message)));
-                }
-                (_, Err(message)) => {
-                    return Err(fault(
-                        Finding::new(at("count"), message).help("add `length = …` [m], or use count = 1"),
-                    ));
-                }
-            };
-            Ok((0..count)
-                .flat_map(|i| {
-                    axles.iter().map(move |a| Axle { position: a.position + length * i as f64, load: a.load })
-                })
-                .collect())
-        };
-        let axles: Vec<Axle> = match (&table.axles, &table.vehicle) {
-            (Some(_), Some(_)) => {
-                return Err(fault(
-                    Finding::new(at("vehicle"), "axles and vehicle are both given").help("give one of them"),
-                ));
-            }
-            (Some(axles), None) => {
-                let length = table.length.ok_or("the axles have no `length` to repeat them at");
-                repeat(axles, table.count, length, &at)?
-            }
-            (None, Some(vehicle)) => {
-                let inner =
-                    self.resolve(&Named::<TrainInput>::Name(vehicle.clone()), "train.vehicle", "vehicles")?;
-                let TrainInput { axles, vehicle: nested, count, reversed, length, .. } = inner.table;
-                if nested.is_some() || count.is_some() || reversed || table.length.is_some() {
-                    let message = "a vehicle brings its axles and length, nothing else";
-                    return Err(fault(
-                        Finding::new(at("vehicle"), message)
-                            .help("say count and reversed in the case, length with the axles"),
-                    ));
-                }
-                let length = length.ok_or("this vehicle has no `length` to repeat it at");
-                repeat(&axles.unwrap_or_default(), table.count, length, &at)?
-            }
-            (None, None) => {
-                return Err(fault(
-                    Finding::new(prefix.clone(), "the train has neither axles nor a vehicle")
-                        .help("add axles = [{ position = 0.0, load = … }] or vehicle = \"…\""),
-                ));
-            }
-        };
-        let mut axles = axles;
-        if table.reversed {
-            for axle in &mut axles {
-                axle.position = -axle.position;
-            }
-        }
-        // slips of unit, which would run for hours
-        let reach = axles.iter().map(|a| a.position.abs()).fold(0.0, f64::max);
-        if reach > LONGEST_TRAIN {
-            let message = format!("an axle stands {reach} m from the first: more than {LONGEST_TRAIN} m");
-            return Err(fault(Finding::new(at("axles"), message).help("positions are in metres")));
-        }
-        if let Some(i) = axles.iter().position(|a| a.load > HEAVIEST_AXLE) {
-            let message =
-                format!("axle {} has a load of {} N: more than {HEAVIEST_AXLE} N", i + 1, axles[i].load);
-            return Err(fault(Finding::new(at("axles"), message).help("loads are in newtons")));
-        }
-        Train::new(axles).map_err(|error| {
-            use crate::vehicle::VehicleError::{Load, NoLoad, Position};
-            let path = match &error {
-                NoLoad => at("axles"),
-                Load { index, .. } => at(&format!("axles[{}].load", index - 1)),
-                Position { index, .. } => at(&format!("axles[{}].position", index - 1)),
-            };
-            fault(Finding::new(path, error))
-        })
-    }
 }
 
 impl Case {
@@ -304,12 +226,12 @@ impl Case {
         let resolved = loader.resolve(&input.track, "track", "tracks")?;
         let (stack, contact) = track::track(&resolved.table, &resolved.prefix, on_ground)
             .map_err(|f| f.at(&resolved.name, &resolved.text))?;
-        let train = input.train.as_ref().map(|train| loader.train(train)).transpose()?;
-        let wheels = match (&input.train, &train) {
-            (Some(Named::Table(table)), Some(train)) => {
-                studies::wheels(table, train).map_err(|f| loader.fault(f))?
+        let (train, wheels) = match &input.train {
+            Some(named) => {
+                let (train, wheels) = train::train(&loader, named)?;
+                (Some(train), Some(wheels))
             }
-            _ => None,
+            None => (None, None),
         };
         let model =
             Model::new(support, contact, stack, train).map_err(|e| loader.fault(Finding::new("track", e)))?;

@@ -9,6 +9,7 @@ mod runner;
 pub mod schema;
 mod studies;
 mod track;
+mod train;
 pub mod values;
 mod verification;
 

@@ -98,9 +98,9 @@ fn excitation(studies: &[Study]) -> Vec<String> {
                 list.push("The free field is vertical, unweighted, at the surface of the open ground: no building, no coupling loss. Third octaves are exact base-10 bands; the r.m.s. is over the passage time.".into());
                 list.push(match &study.roughness {
                     Some(roughness) => format!(
-                        "Quasi-static part: constant moving axle loads. Dynamic part: the expected value over all profiles of the spectrum, wheels and rails in linear contact (k_H = {:.3e} N/m per wheelset), unsprung masses of {} kg alone; both rails have the same profile: {}, wavelengths {} to {} m.",
+                        "Quasi-static part: constant moving axle loads. Dynamic part: the expected value over all profiles of the spectrum, wheels and rails in linear contact (k_H = {:.3e} N/m per wheelset), {} wheelsets with the bodies the case gives them; both rails have the same profile: {}, wavelengths {} to {} m.",
                         roughness.contact,
-                        roughness.unsprung_mass,
+                        roughness.bodies.wheelset_count(),
                         roughness.spectrum.text(),
                         roughness.wavelengths.0,
                         roughness.wavelengths.1

@@ -1,4 +1,6 @@
 //! The vocabulary of a case file, as it is read: every key, its unit, nothing checked yet.
+//!
+//! The file is long because it is that list, whole and in one place.
 
 use super::values::{Named, Range, Speed};
 use schemars::JsonSchema;
@@ -352,12 +354,83 @@ pub struct TrainInput {
     /// Runs the other way: the last axle leads.
     #[serde(default)]
     pub reversed: bool,
-    /// Length over couplers [m], the distance at which `count` repeats the axles.
+    /// Length over couplers [m], the distance at which `count` repeats the vehicle.
     pub length: Option<f64>,
-    /// Unsprung mass of each wheelset [kg], where dynamics are wanted.
+    /// Which bodies follow a rough rail, where dynamics are wanted.
+    pub model: Option<ModelInput>,
+    /// Unsprung mass of each wheelset [kg] of the model "unsprung".
     pub unsprung_mass: Option<f64>,
+    /// Body of a vehicle on two bogies, which brings its axles and loads by itself.
+    pub body: Option<BodyInput>,
+    /// Each of its two bogies.
+    pub bogie: Option<BogieInput>,
+    /// Each of its four wheelsets.
+    pub wheelset: Option<WheelsetInput>,
+    /// Suspension of one wheelset.
+    pub primary: Option<SuspensionInput>,
+    /// Suspension of one bogie.
+    pub secondary: Option<SuspensionInput>,
     /// Contact of wheels and rails, where dynamics are wanted.
     pub wheel_rail: Option<WheelRailInput>,
+}
+
+/// `train.model`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub enum ModelInput {
+    /// The wheelsets alone.
+    Unsprung,
+    /// Wheelset, half a bogie.
+    Two,
+    /// Two wheelsets, a bogie that bounces and pitches.
+    Four,
+    /// The same and half the body, which bounces.
+    Five,
+    /// Four wheelsets, two bogies and the body, which bounce and pitch.
+    Ten,
+}
+
+/// `train.body`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BodyInput {
+    /// [kg]
+    pub mass: f64,
+    /// About its centre [kg m²].
+    pub pitch_inertia: f64,
+    /// Between the centres of the bogies [m].
+    pub bogie_centres: f64,
+}
+
+/// `train.bogie`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BogieInput {
+    /// Without wheelsets [kg].
+    pub mass: f64,
+    /// About its centre [kg m²].
+    pub pitch_inertia: f64,
+    /// Between the wheelsets [m].
+    pub wheelbase: f64,
+}
+
+/// `train.wheelset`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WheelsetInput {
+    /// With all that is unsprung [kg].
+    pub mass: f64,
+}
+
+/// `train.primary`, `train.secondary`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SuspensionInput {
+    /// k [N/m], both sides together.
+    pub stiffness: f64,
+    /// c [N s/m], both sides together.
+    #[serde(default)]
+    pub damping: f64,
 }
 
 /// One axle.

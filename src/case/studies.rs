@@ -3,8 +3,9 @@
 use super::error::Finding;
 use super::schema::{
     CaseInput, ContourInput, DispersionInput, FreeFieldInput, IrregularityInput, IrregularityKind,
-    MeasuredInput, QuantityInput, SpanInput, TrackResponseInput, TrainInput, TreadInput, WaveInput,
+    MeasuredInput, QuantityInput, SpanInput, TrackResponseInput, WaveInput,
 };
+use super::train::Wheels;
 use super::values::{Range, Speed};
 use crate::assessment::Band;
 use crate::interaction::{Quantity, Window};
@@ -16,7 +17,6 @@ use crate::study::{
     Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Receptance, Record, Roughness, Study,
     SurfaceComplianceTable, TrackResponse, same_speed, tag,
 };
-use crate::vehicle::{Hertz, Train, Tread};
 
 /// Farthest position a study may ask for [m].
 const FARTHEST: f64 = 10_000.0;
@@ -333,60 +333,6 @@ fn spectrum(input: &IrregularityInput) -> Result<Spectrum, Finding> {
     })
 }
 
-/// What of the train the dynamics need.
-pub struct Wheels {
-    /// Unsprung mass of each wheelset [kg].
-    pub unsprung_mass: f64,
-    /// k_H of each wheelset [N/m].
-    pub contact: f64,
-}
-
-/// `train.unsprung_mass` and `train.wheel_rail`: both or none.
-pub fn wheels(input: &TrainInput, train: &Train) -> Result<Option<Wheels>, Finding> {
-    let positive = |path: &str, value: f64, unit: &str| {
-        if value.is_finite() && value > 0.0 {
-            Ok(value)
-        } else {
-            Err(Finding::new(path, format!("{value} {unit}: it must be finite and above zero")))
-        }
-    };
-    let (mass, contact) = match (input.unsprung_mass, input.wheel_rail) {
-        (None, None) => return Ok(None),
-        (Some(mass), Some(contact)) => (positive("train.unsprung_mass", mass, "kg")?, contact),
-        (Some(_), None) => {
-            return Err(Finding::new("train", "unsprung_mass needs wheel_rail")
-                .help("add wheel_rail.stiffness [N/m per wheelset] or wheel_rail.radius [m]"));
-        }
-        (None, Some(_)) => {
-            return Err(
-                Finding::new("train", "wheel_rail needs unsprung_mass").help("add it [kg per wheelset]")
-            );
-        }
-    };
-    let at = "train.wheel_rail";
-    let contact = match (contact.stiffness, contact.radius, contact.tread) {
-        (Some(stiffness), None, None) => positive("train.wheel_rail.stiffness", stiffness, "N/m")?,
-        (None, Some(radius), tread) => {
-            let tread = match tread {
-                None | Some(TreadInput::Worn) => Tread::Worn,
-                Some(TreadInput::Coned) => Tread::Coned,
-            };
-            let hertz = Hertz::new(tread, radius).map_err(|e| Finding::new("train.wheel_rail.radius", e))?;
-            let load = train.total_load() / train.axles().len() as f64;
-            hertz.wheelset_stiffness(load).map_err(|e| Finding::new(at, e))?
-        }
-        (None, None, _) => {
-            return Err(Finding::new(at, "it has neither stiffness nor radius")
-                .help("add stiffness [N/m per wheelset] or radius [m]"));
-        }
-        (Some(_), _, _) => {
-            return Err(Finding::new(at, "stiffness stands alone: radius and tread belong to Hertz contact")
-                .help("give stiffness, or radius with tread"));
-        }
-    };
-    Ok(Some(Wheels { unsprung_mass: mass, contact }))
-}
-
 /// Longest passage a case may ask for [s].
 const LONGEST_PASSAGE: f64 = 3600.0;
 
@@ -425,19 +371,23 @@ fn free_field(
     let bands = Band::range(from, to).map_err(|e| Finding::new("free_field.frequencies", e))?;
     let roughness = match (&case.irregularity, wheels) {
         (None, _) => None,
-        (Some(_), None) => {
+        (Some(_), None | Some(Wheels { bodies: None, .. })) => {
             return Err(Finding::new("train", "the wheels have no mass to follow the irregularity with")
                 .help("add unsprung_mass [kg per wheelset] and wheel_rail.stiffness [N/m] or wheel_rail.radius [m]"));
         }
-        (Some(irregularity), Some(wheels)) => {
+        (Some(_), Some(Wheels { contact: None, .. })) => {
+            return Err(Finding::new("train", "the wheels have no contact with a rough rail")
+                .help("add wheel_rail.stiffness [N/m per wheelset] or wheel_rail.radius [m]"));
+        }
+        (Some(irregularity), Some(Wheels { bodies: Some(bodies), contact: Some(contact) })) => {
             let wavelengths = span(irregularity.wavelengths, "irregularity.wavelengths")?;
             if wavelengths.0 < 0.01 {
                 let message = format!("from {} m: the shortest must be at least 0.01 m", wavelengths.0);
                 return Err(Finding::new("irregularity.wavelengths.from", message));
             }
             Some(Roughness {
-                unsprung_mass: wheels.unsprung_mass,
-                contact: wheels.contact,
+                bodies: bodies.clone(),
+                contact: *contact,
                 spectrum: spectrum(irregularity)?,
                 wavelengths,
             })

@@ -192,6 +192,17 @@ pub enum StudyError {
         /// Its name.
         study: &'static str,
     },
+    /// Bodies that do not stand on the axles of the train.
+    #[error(
+        "the vehicle model has {wheelsets} wheelsets, the train {axles} axles, or they stand elsewhere: build both from the same \
+         positions"
+    )]
+    OtherWheels {
+        /// Axles of the train.
+        axles: usize,
+        /// Wheelsets of the model.
+        wheelsets: usize,
+    },
     /// A receiver on the track.
     #[error(
         "the receiver at {distance} m stands on the track, whose half-width is {half_width} m: receivers are distances from the          centre line of the track"

@@ -438,7 +438,12 @@ fn study(bands: &[Band], wavelengths: (f64, f64)) -> FreeField {
         receivers: vec![RECEIVER],
         passage_time: Some(1.0),
         bands: bands.to_vec(),
-        roughness: Some(Roughness { unsprung_mass: MASS, contact: CONTACT, spectrum: SPECTRUM, wavelengths }),
+        roughness: Some(Roughness {
+            bodies: wheel(&[0.0]),
+            contact: CONTACT,
+            spectrum: SPECTRUM,
+            wavelengths,
+        }),
     }
 }
 

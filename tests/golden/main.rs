@@ -45,7 +45,7 @@ fn shrink(study: &mut Study) {
         Study::Receptance(study) => {
             study.frequencies = study.frequencies.iter().copied().step_by(20).collect();
         }
-        Study::FreeField(study) => study.bands = study.bands.iter().copied().step_by(6).collect(),
+        Study::FreeField(study) => study.bands = study.bands[8..12].to_vec(),
         Study::EquivalentStiffness(_) | Study::SurfaceCompliance(_) => {}
     }
 }
