@@ -387,7 +387,7 @@ fn models_share_loads_and_differ_on_a_rough_rail() {
         numbers(&train, FREE_FIELD)["free_field"]["v_rms_8"].as_f64().unwrap()
     };
     let (ten, unsprung) = (of(""), of("model = \"unsprung\""));
-    // the bogies at and above their bounce on the primary suspension at 8 Hz; measured TEN_MEASURED
+    // the bogies at and above their bounce on the primary suspension at 8 Hz; size not asserted closer than this
     assert!((unsprung / ten - 1.0).abs() > 0.005, "{ten} {unsprung}");
     assert!((unsprung / ten - 1.0).abs() < 0.3, "{ten} {unsprung}");
     // front and rear alike: the same wheels either way
