@@ -523,14 +523,18 @@ fn forces_of_the_study() {
     let some: Vec<usize> = (0..f.len()).step_by(7).collect();
     let driving: Vec<f64> = some.iter().map(|&i| TAU * f[i]).collect();
     let (forces, _) = library_forces(&tracks::ballasted(), &driving);
-    let mut worst = 0.0f64;
+    let (mut worst, mut at) = (0.0f64, 0.0);
     for ((&i, w), p) in some.iter().zip(&driving).zip(&forces) {
         let of_study = (density[i] * SPEED / TAU / SPECTRUM.one_sided(w / SPEED)).sqrt();
         let difference = of_study / p.norm() - 1.0;
-        println!("{:6.2} Hz: {difference:+.1e}", f[i]);
-        worst = worst.max(difference.abs());
+        if difference.abs() > worst.abs() {
+            (worst, at) = (difference, f[i]);
+        }
     }
-    println!("worst {worst:e}");
+    println!("worst {worst:e} at {at:.1} Hz");
+    // measured 5.7e-2 at 78.5 Hz (below 57 Hz 1.9e-3): cubics through 10 points per factor e follow α no better near the resonance of
+    // the wheel on the track; 30 points leave 3.9e-3. The bands from 10 to 80 Hz change by 1.6e-3 between the two
+    assert!(worst.abs() < 0.08, "{worst:e}");
 }
 
 #[test]
