@@ -32,7 +32,7 @@ use std::f64::consts::TAU;
 /// Frequencies in a band at which the ground is asked.
 const PER_BAND: usize = 4;
 /// Driving frequencies at which the rail is asked, per factor e.
-const PER_UNIT: f64 = 10.0;
+const PER_UNIT: f64 = 20.0;
 /// Components of the profile at least, per factor e of wavelength.
 const COMPONENTS: f64 = 200.0;
 /// Distance over which wheels feel one another through rail and ground [m].

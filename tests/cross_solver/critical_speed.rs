@@ -119,7 +119,7 @@ fn thin_layers() {
             worst = worst.max((b / a - 1.0).abs()).max((b_up - a_up).abs() / a);
         }
         println!("{name}: {worst:e} {time:?}");
-        // measured 7.6e-4 and 7.7e-5: what the interpolation in frequency is allowed, and the sublayers
+        // measured 1.35e-4 and 3.9e-5: the sublayers, and what the interpolation in frequency is allowed
         assert!(worst < 3e-3, "{worst:e}");
     }
 }

@@ -54,7 +54,7 @@ fn standing_load_by_plain_sums() {
         let ground = Solver::DirectStiffness.prepare_many(&profile, omega, 100.0, 1e-5).unwrap();
         // against poles 0.03 k_R from the axis, e^{−2π·0.03 k_R/step}
         let step = 2.5e-3 * frequency.min(12.0) / 8.0;
-        let mut sum = vec![Complex64::ZERO; 3];
+        let mut sum = [Complex64::ZERO; 3];
         for i in 0..(24.0 / step) as i32 {
             let beta = step * (f64::from(i) + 0.5);
             let stiffness = 1.0 / ground.strip(beta, strip, 1e-5).value;
