@@ -66,6 +66,9 @@ fn faults_are_named_at_their_key() {
     let none = FIELD.replace("[8.0, 16.0]", "[]");
     let still = FIELD.replace("\"216 km/h\"", "0.0");
     let bands = FIELD.replace("from = 2.0", "from = 20.0");
+    let creeping = FIELD.replace("\"216 km/h\"", "0.1");
+    let bare_ground = "[track]\nkind = \"none\"\nload = { kind = \"patch\", half_length = 0.5, half_width = 0.5, \
+                       compatibility = \"mean\" }\n";
     let receptance = "[receptance]\nfrequencies = [0.0, 10.0]\n";
     for (parts, says) in [
         (vec![TRACK, bare, ROUGH, FIELD], vec!["train", "unsprung_mass"]),
@@ -81,6 +84,8 @@ fn faults_are_named_at_their_key() {
         (vec![TRACK, TRAIN, ROUGH, &none], vec!["free_field.receivers", "empty"]),
         (vec![TRACK, TRAIN, ROUGH, &still], vec!["free_field.speed", "above zero"]),
         (vec![TRACK, TRAIN, ROUGH, &bands], vec!["free_field.frequencies", "20"]),
+        (vec![bare_ground, TRAIN, ROUGH, FIELD], vec!["free_field", "needs a track"]),
+        (vec![TRACK, TRAIN, ROUGH, &creeping], vec!["free_field.speed", "at least 1 m/s"]),
         (vec![TRACK, TRAIN, ROUGH, receptance], vec!["receptance.frequencies", "above zero"]),
         (
             vec![TRACK, TRAIN, ROUGH, "[critical_speed]\nspeeds = [50.0]\n"],

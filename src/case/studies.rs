@@ -333,6 +333,8 @@ fn spectrum(input: &IrregularityInput) -> Result<Spectrum, Finding> {
     })
 }
 
+/// Slowest train whose vibration is worth asking for [m/s].
+const SLOWEST: f64 = 1.0;
 /// Longest passage a case may ask for [s].
 const LONGEST_PASSAGE: f64 = 3600.0;
 
@@ -344,8 +346,9 @@ fn free_field(
     let speed = speeds(&Range::List(vec![input.speed]), "free_field.speed").map_err(|_| {
         Finding::new("free_field.speed", format!("{} m/s: it must be above zero", input.speed.0))
     })?[0];
-    if speed <= 0.0 {
-        return Err(Finding::new("free_field.speed", format!("{speed} m/s: it must be above zero")));
+    if speed < SLOWEST {
+        let message = format!("{speed} m/s: it must be above zero, and at least {SLOWEST} m/s");
+        return Err(Finding::new("free_field.speed", message));
     }
     let receivers = receivers(&input.receivers, "free_field.receivers")?;
     if receivers.is_empty() {
@@ -360,10 +363,7 @@ fn free_field(
         let message = format!("{time} s: it must lie above 0 and up to {LONGEST_PASSAGE} s");
         return Err(Finding::new("free_field.passage_time", message));
     }
-    let (from, to) = match input.frequencies {
-        Some(range) => span(range, "free_field.frequencies")?,
-        None => (1.0, 80.0),
-    };
+    let (from, to) = input.frequencies.map_or((1.0, 80.0), |range| (range.from, range.to));
     if !(from >= 0.1 && to <= 1000.0) {
         let message = format!("from {from} to {to} Hz: they must lie between 0.1 and 1000 Hz");
         return Err(Finding::new("free_field.frequencies", message));

@@ -33,8 +33,6 @@ pub struct HarmonicLoad {
     pub beta: Vec<f64>,
     /// ũ_r times weight/2π [m/N].
     pub rail: Vec<Complex64>,
-    /// k_eq ũ_base times weight/2π: what is handed to the ground [1].
-    pub force: Vec<Complex64>,
     /// False where the accuracy was missed.
     pub converged: bool,
 }
@@ -85,11 +83,11 @@ impl TrackOnFoundation<'_> {
             }
             let u = self.stack.respond(beta, omega, last.get());
             let load = sinc(beta * self.half_length);
-            let result = (u.rail * load, u.base * last.get() * load);
+            let result = u.rail * load;
             kept.borrow_mut().insert(beta.to_bits(), result);
             result
         };
-        let mut rail = |beta: f64| respond(beta).0;
+        let mut rail = |beta: f64| respond(beta);
         // panels: from the origin outward, finer than fifteen nodes can follow e^{iβx′}
         let widest = 14.0 / reach.max(1.0);
         let mut integral = Adaptive::new();
@@ -108,15 +106,18 @@ impl TrackOnFoundation<'_> {
                 integral.add(&mut rail, &ends);
                 (from, step) = (to, 1.5 * step);
                 let rest = rail(side * from).norm() * from / 3.0;
-                if rest < 0.3 * ACCURACY * integral.value().norm()
-                    || from > enough
-                    || failure.borrow().is_some()
-                {
+                let faded = rest < 0.3 * ACCURACY * integral.value().norm();
+                if from > enough && !faded && self.half_length == 0.0 {
+                    converged.set(false);
+                }
+                if faded || from > enough || failure.borrow().is_some() {
                     break;
                 }
             }
         }
-        let tolerance = Tolerance { relative: 0.5 * ACCURACY, absolute: 0.0, max_count: MAX_COUNT };
+        // long trains begin with many panels
+        let max_count = MAX_COUNT + 3 * kept.borrow().len();
+        let tolerance = Tolerance { relative: 0.5 * ACCURACY, absolute: 0.0, max_count };
         let estimate = integral.refine(&mut rail, Complex64::ZERO, tolerance);
         if let Some(error) = failure.borrow_mut().take() {
             return Err(error.into());
@@ -128,16 +129,12 @@ impl TrackOnFoundation<'_> {
         let mut load = HarmonicLoad {
             beta: Vec::new(),
             rail: Vec::new(),
-            force: Vec::new(),
             converged: estimate.converged && converged.get(),
         };
         for panel in integral.into_panels() {
             for i in 0..15 {
-                let (rail, force) = respond(panel.x[i]);
-                let weight = panel.w[i] / TAU;
                 load.beta.push(panel.x[i]);
-                load.rail.push(rail * weight);
-                load.force.push(force * weight);
+                load.rail.push(panel.f[i] * (panel.w[i] / TAU));
             }
         }
         if speed == 0.0 {
@@ -145,7 +142,6 @@ impl TrackOnFoundation<'_> {
             let mirror = |v: &[Complex64]| -> Vec<Complex64> { v.iter().rev().chain(v).copied().collect() };
             load.beta = load.beta.iter().rev().map(|b| -b).chain(load.beta.iter().copied()).collect();
             load.rail = mirror(&load.rail);
-            load.force = mirror(&load.force);
         }
         Ok(load)
     }

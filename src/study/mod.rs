@@ -6,6 +6,7 @@ mod critical_speed;
 mod dispersion;
 mod equivalent_stiffness;
 mod free_field;
+mod free_field_shown;
 mod model;
 mod receptance;
 mod surface_compliance;
@@ -202,6 +203,12 @@ pub enum StudyError {
         axles: usize,
         /// Wheelsets of the model.
         wheelsets: usize,
+    },
+    /// The study needs a track.
+    #[error("the study {study} needs a track: track.kind = \"none\" has no rail for wheels to run on")]
+    NeedsTrack {
+        /// Its name.
+        study: &'static str,
     },
     /// A receiver on the track.
     #[error(
