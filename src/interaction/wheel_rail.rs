@@ -15,6 +15,9 @@ use crate::vehicle::Multibody;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
+/// Distance beyond which wheels do not feel one another through rail and ground [m].
+const COUPLED: f64 = 50.0;
+
 /// A train of bodies on a track, at one speed.
 pub struct WheelRail<'a> {
     /// The track.
@@ -36,9 +39,12 @@ impl WheelRail<'_> {
         let axles = self.bodies.axles();
         let at = |i: usize| axles[i].position - axles[0].position;
         let length = (0..axles.len()).map(|i| at(i).abs()).fold(0.0, f64::max);
-        let load = self.track.harmonic(omega, self.speed, length)?;
+        let load = self.track.harmonic(omega, self.speed, length.min(COUPLED))?;
         // axle j stands at x′ = −a_j
-        let alpha = DMatrix::from_fn(axles.len(), axles.len(), |i, j| load.rail(at(j) - at(i)));
+        let alpha = DMatrix::from_fn(axles.len(), axles.len(), |i, j| {
+            let x = at(j) - at(i);
+            if x.abs() > COUPLED { Complex64::ZERO } else { load.rail(x) }
+        });
         Ok((alpha, load.converged))
     }
 
