@@ -16,4 +16,4 @@ pub use harmonic_load::HarmonicLoad;
 pub use moving_load::{InteractionError, MovingLoad, MovingSpectrum, Shape, TrackOnFoundation};
 pub use passage::Passage;
 pub use section::{Section, transfer};
-pub use wheel_rail::WheelRail;
+pub use wheel_rail::{COUPLED, WheelRail};

@@ -17,7 +17,7 @@ use thiserror::Error;
 
 /// Smallest wavenumber of the foundation [rad/m]; below it the last value is kept. The logarithm of a half-space
 /// makes that an error of about 1e-6 of the deflection.
-const BETA_MIN: f64 = 1e-6;
+pub(super) const BETA_MIN: f64 = 1e-6;
 /// Wanted error of the integral relative to the deflection under the load.
 const ACCURACY: f64 = 1e-5;
 /// A point load whose spectrum has not faded here [rad/m] stands on nothing that spreads it.
@@ -76,6 +76,19 @@ pub enum InteractionError {
         /// Relative error reached.
         error: f64,
     },
+}
+
+/// Panel ends up to `beta_max` [rad/m]: growing from the logarithm at 0, then no wider than fifteen nodes can follow e^{iβx′} for
+/// |x′| ≤ `reach` [m].
+pub(super) fn panels(beta_max: f64, reach: f64) -> Vec<f64> {
+    let widest = 14.0 / reach.max(1.0);
+    let mut points = vec![0.0, BETA_MIN];
+    let mut beta = BETA_MIN;
+    while beta < beta_max {
+        beta = (beta + (3.0 * beta).min(widest)).min(beta_max);
+        points.push(beta);
+    }
+    points
 }
 
 impl<'a> TrackOnFoundation<'a> {
@@ -139,14 +152,7 @@ impl<'a> TrackOnFoundation<'a> {
     pub fn moving(&self, speed: f64, reach: f64) -> Result<MovingLoad, InteractionError> {
         let spectrum = self.spectrum(speed)?;
         let beta_max = spectrum.beta_max;
-        // panels: growing from the logarithm at 0, then no wider than fifteen nodes can follow e^{iβx′}
-        let widest = 14.0 / reach.max(1.0);
-        let mut points = vec![0.0, BETA_MIN];
-        let mut beta = BETA_MIN;
-        while beta < beta_max {
-            beta = (beta + (3.0 * beta).min(widest)).min(beta_max);
-            points.push(beta);
-        }
+        let points = panels(beta_max, reach);
         let mut integral = Adaptive::new();
         let mut integrand = |beta: f64| spectrum.at(beta).rail;
         integral.add(&mut integrand, &points);

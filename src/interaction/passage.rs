@@ -6,6 +6,7 @@
 //!
 //! with R the receiver integral of the ground. It is the line at y through the contour around the load.
 
+use super::moving_load::{BETA_MIN, panels};
 use super::{InteractionError, TrackOnFoundation};
 use crate::math::complex::I;
 use crate::math::interpolation::Interpolant;
@@ -17,8 +18,6 @@ use std::f64::consts::PI;
 
 /// Wanted error relative to the largest displacement.
 const ACCURACY: f64 = 1e-5;
-/// Below it [rad/m] R keeps its value: its logarithm makes that an error of 1e-6.
-const BETA_MIN: f64 = 1e-6;
 
 /// The history at one receiver of a unit load.
 #[derive(Clone, Debug)]
@@ -99,13 +98,7 @@ impl TrackOnFoundation<'_> {
             return Err(crate::foundation::FoundationError::from(error).into());
         }
         let mut integrand = |beta: f64| spectrum.force(beta) * table.at(beta.max(BETA_MIN).ln());
-        let widest = 14.0 / reach.max(1.0);
-        let mut points = vec![0.0, BETA_MIN];
-        let mut beta = BETA_MIN;
-        while beta < beta_max {
-            beta = (beta + (3.0 * beta).min(widest)).min(beta_max);
-            points.push(beta);
-        }
+        let points = panels(beta_max, reach);
         let mut integral = Adaptive::new();
         integral.add(&mut integrand, &points);
         let tolerance = Tolerance { relative: ACCURACY, absolute: 0.0, max_count: 200_000 };

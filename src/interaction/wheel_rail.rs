@@ -16,7 +16,7 @@ use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 
 /// Distance beyond which wheels do not feel one another through rail and ground [m].
-const COUPLED: f64 = 50.0;
+pub const COUPLED: f64 = 50.0;
 
 /// A train of bodies on a track, at one speed.
 pub struct WheelRail<'a> {
