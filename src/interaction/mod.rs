@@ -1,5 +1,6 @@
 //! Track on foundation: moving loads along the track, and the ground around it.
 
+mod contact_forces;
 mod far_field;
 mod ground_field;
 mod ground_grid;
@@ -9,6 +10,7 @@ mod passage;
 mod section;
 mod wheel_rail;
 
+pub use contact_forces::ContactForces;
 pub use far_field::FarField;
 pub use ground_field::{Field, GroundField, GroundFieldError};
 pub use ground_grid::{GroundLoad, Quantity, Window};

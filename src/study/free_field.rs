@@ -14,13 +14,12 @@ use crate::assessment::{Band, rms};
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::foundation::LayeredSoil;
-use crate::interaction::{COUPLED, Section, TrackOnFoundation, WheelRail, transfer};
+use crate::interaction::{COUPLED, ContactForces, Section, TrackOnFoundation, WheelRail, transfer};
 use crate::irregularity::Spectrum;
 use crate::math::interpolation::cubic_weights;
 use crate::progress::Observer;
 use crate::soil::Solver;
 use crate::vehicle::{Axle, Multibody, Train};
-use nalgebra::DMatrix;
 use ndarray::{Array1, Array2};
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -28,8 +27,6 @@ use std::f64::consts::TAU;
 
 /// Frequencies in a band at which the ground is asked.
 const PER_BAND: usize = 4;
-/// Driving frequencies at which the rail is asked, per factor e.
-const PER_UNIT: f64 = 20.0;
 /// Components of the profile at least, per factor e of wavelength.
 const COMPONENTS: f64 = 200.0;
 /// Accuracy of G, and the wavenumbers thin layers must resolve [rad/m].
@@ -149,21 +146,9 @@ impl FreeField {
         let wheels = WheelRail { track: &track, bodies, contact: &contact, speed: self.speed };
 
         let (shortest, longest) = roughness.wavelengths;
-        let (low, high) = ((TAU / longest).ln(), (TAU / shortest).ln());
-        // α is smooth in ln ω̃; one point more on either side for the cubic
-        let count = ((high - low) * PER_UNIT).ceil() as usize + 1;
-        let step = (high - low) / (count - 1) as f64;
-        let at = |i: usize| (low + step * (i as f64 - 1.0)).exp();
-        observer.begin("contact forces", count as u64 + 2);
-        let table: Vec<(DMatrix<Complex64>, bool)> = (0..count + 2)
-            .into_par_iter()
-            .map(|i| {
-                let answer = wheels.rail(at(i) * self.speed);
-                observer.advance();
-                answer
-            })
-            .collect::<Result<_, _>>()?;
-        observer.end();
+        let range = (TAU / longest, TAU / shortest);
+        let forces = ContactForces::new(&wheels, range, observer)?;
+        let (low, high) = (range.0.ln(), range.1.ln());
         // fine enough for the phases between wheels that feel one another
         let phase = high.exp() * train.length().clamp(1.0, COUPLED) / (0.25 * TAU);
         // slow wheels: waves of all phase speeds meet within Ω (1 ± v/c)
@@ -174,29 +159,16 @@ impl FreeField {
         let components = (0..components)
             .into_par_iter()
             .map(|j| {
-                let x = low + width * (j as f64 + 0.5);
-                let wavenumber = x.exp();
-                let place = (x - low) / step;
-                let i = (place.floor() as usize).min(count - 2);
-                let weights = cubic_weights(place - i as f64);
-                let mut alpha = &table[i].0 * Complex64::from(weights[0]);
-                for (m, weight) in weights.iter().enumerate().skip(1) {
-                    alpha += &table[i + m].0 * Complex64::from(*weight);
-                }
+                let wavenumber = (low + width * (j as f64 + 0.5)).exp();
                 let density = roughness.spectrum.one_sided(wavenumber);
                 Component {
                     wavenumber,
                     weight: 0.5 * density * wavenumber * width / self.speed.powi(2),
-                    forces: wheels
-                        .forces(&alpha, wavenumber * self.speed)
-                        .iter()
-                        .zip(bodies.axles())
-                        .map(|(p, a)| p * Complex64::cis(wavenumber * a.position))
-                        .collect(),
+                    forces: forces.at(wavenumber),
                 }
             })
             .collect();
-        Ok((components, table.iter().all(|t| t.1)))
+        Ok((components, forces.converged))
     }
 
     /// Energy [m²/s² s] of the axle loads in band number `band` at receiver `r`: ∫ 2ω² |h|² |Σ P_i e^{−iωa_i/v}|²/v² df, ln |h|² by cubics
