@@ -2,6 +2,7 @@
 
 pub mod error;
 mod ground;
+mod irregularity;
 pub mod library;
 mod load;
 mod report;

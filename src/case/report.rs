@@ -5,7 +5,7 @@ use super::verification::Verification;
 use crate::concern::Concern;
 use crate::output::{Report, ReportTable};
 use crate::soil::{Base, Material};
-use crate::study::{Contact, Model, Outcome, Study, Support};
+use crate::study::{Contact, Irregularity, Model, Outcome, Study, Support};
 
 /// Name of the ground's solver, for people and attributes.
 pub fn solver(model: &Model) -> &'static str {
@@ -98,15 +98,20 @@ fn excitation(studies: &[Study]) -> Vec<String> {
                 list.push("The free field is vertical, unweighted, at the surface of the open ground: no building, no coupling loss. Third octaves are exact base-10 bands; the r.m.s. is over the passage time.".into());
                 list.push(match &study.roughness {
                     Some(roughness) => format!(
-                        "Quasi-static part: constant moving axle loads. Dynamic part: the expected value over all profiles of the spectrum, wheels and rails in linear contact (k_H = {:.3e} N/m per wheelset), {} wheelsets with the bodies the case gives them; both rails have the same profile: {}, wavelengths {} to {} m.",
+                        "Quasi-static part: constant moving axle loads. Dynamic part: wheels and rails in linear contact (k_H = {:.3e} N/m per wheelset), {} wheelsets with the bodies the case gives them; both rails have the same profile: {}.",
                         roughness.contact,
                         roughness.bodies.wheelset_count(),
-                        roughness.spectrum.text(),
-                        roughness.wavelengths.0,
-                        roughness.wavelengths.1
+                        roughness.irregularity.text(),
                     ),
                     None => "The rail is smooth: the quasi-static part of constant moving axle loads alone.".into(),
                 });
+                if let Some(Irregularity::Random { wavelengths: (from, to), seed, count, .. }) =
+                    study.roughness.as_ref().map(|r| &r.irregularity)
+                {
+                    list.push(format!(
+                        "Third octaves are the expected value over all profiles of the spectrum, wavelengths {from} to {to} m. Histories, KB, PPV, running r.m.s. and doses belong to {count} of these profiles (seeds from {seed}), each a sum of cosines with random phases; histories hold frequencies up to the end of the highest band."
+                    ));
+                }
             }
             _ => {}
         }

@@ -579,7 +579,7 @@ pub enum TreadInput {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct IrregularityInput {
-    /// Which spectrum.
+    /// Which spectrum or profile.
     pub kind: IrregularityKind,
     /// Class 1 to 6 (fra-break-wavenumber, fra-corner).
     pub class: Option<u8>,
@@ -587,8 +587,39 @@ pub struct IrregularityInput {
     pub quality: Option<String>,
     /// S₀ at 0.1 cycles/m [m³] (iso8608).
     pub roughness: Option<f64>,
-    /// Shortest and longest wavelength [m].
-    pub wavelengths: SpanInput,
+    /// Shortest and longest wavelength [m] (all spectra; measured: all of the profile by default).
+    pub wavelengths: Option<SpanInput>,
+    /// Seed of the first profile histories are made for, 1 by default (all spectra); of the wheels' angles (out-of-round).
+    pub seed: Option<u64>,
+    /// How many profiles histories are made for, with this seed and the next; 10 by default (all spectra).
+    pub profiles: Option<usize>,
+    /// CSV file beside the case: a header line, then x [m] and r [m, positive down] (measured).
+    pub file: Option<String>,
+    /// x of the profile abreast of the receivers [m]; its middle by default (measured).
+    pub abreast: Option<f64>,
+    /// [m] (sinusoidal)
+    pub wavelength: Option<f64>,
+    /// [m] (sinusoidal)
+    pub amplitude: Option<f64>,
+    /// Of a cosine at the receivers [rad], 0 by default (sinusoidal).
+    pub phase: Option<f64>,
+    /// Of the wheels [m] (out-of-round).
+    pub radius: Option<f64>,
+    /// Waves around the wheels (out-of-round).
+    pub orders: Option<Vec<OrderInput>>,
+}
+
+/// One of `irregularity.orders`.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OrderInput {
+    /// Waves around the wheel; 1 is eccentricity.
+    pub order: u32,
+    /// Of the radius [m].
+    pub amplitude: f64,
+    /// [rad], 0 by default.
+    #[serde(default)]
+    pub phase: f64,
 }
 
 /// `irregularity.kind`
@@ -607,6 +638,12 @@ pub enum IrregularityKind {
     ChinaBallastless,
     /// ISO 8608.
     Iso8608,
+    /// A measured profile of the rail.
+    Measured,
+    /// One wave of the rail.
+    Sinusoidal,
+    /// Wheels that are not round, on a smooth rail.
+    OutOfRound,
 }
 
 /// `[free_field]`

@@ -1,17 +1,15 @@
 //! Study tables → studies, with every fault at its key.
 
 use super::error::Finding;
+use super::irregularity;
 use super::schema::{
-    CaseInput, ContourInput, DispersionInput, FreeFieldInput, IrregularityInput, IrregularityKind,
-    MeasuredInput, QuantityInput, SpanInput, TrackResponseInput, WaveInput,
+    CaseInput, ContourInput, DispersionInput, FreeFieldInput, MeasuredInput, QuantityInput, SpanInput,
+    TrackResponseInput, WaveInput,
 };
 use super::train::Wheels;
 use super::values::{Range, Speed};
 use crate::assessment::Band;
 use crate::interaction::{Quantity, Window};
-use crate::irregularity::{
-    ChinaBallastless, FraBreakWavenumber, FraCorner, German, IrregularityError, Iso8608, Sncf, Spectrum,
-};
 use crate::soil::dispersion::SurfaceWave;
 use crate::study::{
     Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Receptance, Record, Roughness, Study,
@@ -114,7 +112,7 @@ fn ascending(values: &[f64], path: &str) -> Result<(), Finding> {
     }
 }
 
-fn span(input: SpanInput, path: &str) -> Result<(f64, f64), Finding> {
+pub(super) fn span(input: SpanInput, path: &str) -> Result<(f64, f64), Finding> {
     if !(input.from.is_finite() && input.to.is_finite()) {
         return Err(Finding::new(
             path,
@@ -134,7 +132,7 @@ fn span(input: SpanInput, path: &str) -> Result<(f64, f64), Finding> {
     Ok((input.from, input.to))
 }
 
-fn positive(value: f64, path: &str, unit: &str) -> Result<f64, Finding> {
+pub(super) fn positive(value: f64, path: &str, unit: &str) -> Result<f64, Finding> {
     if value.is_finite() && value > 0.0 {
         Ok(value)
     } else {
@@ -282,57 +280,6 @@ fn receivers(values: &[f64], path: &str) -> Result<Vec<f64>, Finding> {
     }
 }
 
-/// `[irregularity]`
-fn spectrum(input: &IrregularityInput) -> Result<Spectrum, Finding> {
-    let kind = match input.kind {
-        IrregularityKind::FraBreakWavenumber => "fra-break-wavenumber",
-        IrregularityKind::FraCorner => "fra-corner",
-        IrregularityKind::German => "german",
-        IrregularityKind::Sncf => "sncf",
-        IrregularityKind::ChinaBallastless => "china-ballastless",
-        IrregularityKind::Iso8608 => "iso8608",
-    };
-    let wanted = match input.kind {
-        IrregularityKind::FraBreakWavenumber | IrregularityKind::FraCorner => "class",
-        IrregularityKind::German | IrregularityKind::Sncf => "quality",
-        IrregularityKind::ChinaBallastless => "",
-        IrregularityKind::Iso8608 => "roughness",
-    };
-    let given = [
-        ("class", input.class.is_some()),
-        ("quality", input.quality.is_some()),
-        ("roughness", input.roughness.is_some()),
-    ];
-    if let Some((key, _)) = given.iter().find(|(key, there)| *there && *key != wanted) {
-        return Err(Finding::new(format!("irregularity.{key}"), format!("the kind {kind} has no {key}"))
-            .help(if wanted.is_empty() { "remove it".into() } else { format!("it has {wanted}") }));
-    }
-    let at = format!("irregularity.{wanted}");
-    let missing = || Finding::new("irregularity", format!("the kind {kind} needs {wanted}"));
-    let fault = |error: IrregularityError| Finding::new(&at, error);
-    let quality = |names: [&str; 2]| {
-        let found = input.quality.as_deref().ok_or_else(missing)?;
-        names.iter().position(|n| *n == found).ok_or_else(|| {
-            let message = format!("the kind {kind} has no quality \"{found}\"");
-            Finding::new(&at, message).help(format!("allowed: {}, {}", names[0], names[1]))
-        })
-    };
-    Ok(match input.kind {
-        IrregularityKind::FraBreakWavenumber => Spectrum::FraBreakWavenumber(
-            FraBreakWavenumber::new(input.class.ok_or_else(missing)?).map_err(fault)?,
-        ),
-        IrregularityKind::FraCorner => {
-            Spectrum::FraCorner(FraCorner::new(input.class.ok_or_else(missing)?).map_err(fault)?)
-        }
-        IrregularityKind::German => Spectrum::German([German::Low, German::High][quality(["low", "high"])?]),
-        IrregularityKind::Sncf => Spectrum::Sncf([Sncf::Good, Sncf::Poor][quality(["good", "poor"])?]),
-        IrregularityKind::ChinaBallastless => Spectrum::ChinaBallastless(ChinaBallastless),
-        IrregularityKind::Iso8608 => {
-            Spectrum::Iso8608(Iso8608::new(input.roughness.ok_or_else(missing)?).map_err(fault)?)
-        }
-    })
-}
-
 /// Slowest train whose vibration is worth asking for [m/s].
 const SLOWEST: f64 = 1.0;
 /// Longest passage a case may ask for [s].
@@ -342,6 +289,7 @@ fn free_field(
     input: &FreeFieldInput,
     case: &CaseInput,
     wheels: Option<&Wheels>,
+    files: &dyn Fn(&str) -> Result<String, String>,
 ) -> Result<FreeField, Finding> {
     let speed = speeds(&Range::List(vec![input.speed]), "free_field.speed").map_err(|_| {
         Finding::new("free_field.speed", format!("{} m/s: it must be above zero", input.speed.0))
@@ -380,16 +328,10 @@ fn free_field(
                 .help("add wheel_rail.stiffness [N/m per wheelset] or wheel_rail.radius [m]"));
         }
         (Some(irregularity), Some(Wheels { bodies: Some(bodies), contact: Some(contact) })) => {
-            let wavelengths = span(irregularity.wavelengths, "irregularity.wavelengths")?;
-            if wavelengths.0 < 0.01 {
-                let message = format!("from {} m: the shortest must be at least 0.01 m", wavelengths.0);
-                return Err(Finding::new("irregularity.wavelengths.from", message));
-            }
             Some(Roughness {
                 bodies: bodies.clone(),
                 contact: *contact,
-                spectrum: spectrum(irregularity)?,
-                wavelengths,
+                irregularity: irregularity::irregularity(irregularity, files)?,
             })
         }
     };
@@ -424,7 +366,7 @@ pub fn studies(
         studies.push(Study::Receptance(Receptance { frequencies, receivers }));
     }
     if let Some(study) = &input.free_field {
-        studies.push(Study::FreeField(Box::new(free_field(study, input, wheels)?)));
+        studies.push(Study::FreeField(Box::new(free_field(study, input, wheels, files)?)));
     } else if input.irregularity.is_some() {
         let finding = Finding::new("irregularity", "no study uses the roughness of the rail");
         return Err(finding.help("add [free_field], or remove [irregularity]"));

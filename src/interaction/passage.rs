@@ -12,6 +12,7 @@ use crate::math::complex::I;
 use crate::math::interpolation::Interpolant;
 use crate::math::quadrature::{Adaptive, Tolerance};
 use crate::soil::{GroundSolver, Profile, SoilError, Solver, Strip};
+use crate::vehicle::Axle;
 use num_complex::Complex64;
 use std::cell::RefCell;
 use std::f64::consts::PI;
@@ -42,6 +43,19 @@ impl Passage {
         let x = -self.speed * time;
         let terms = self.beta.iter().zip(&self.spectrum);
         terms.map(|(beta, u)| (-I * beta * self.speed * u * Complex64::cis(beta * x)).re).sum()
+    }
+}
+
+impl Passage {
+    /// The history of all `axles`, whose leading one is abreast at t = 0.
+    pub fn of_train(&self, axles: &[Axle]) -> Self {
+        let lead = axles.first().map_or(0.0, |a| a.position);
+        // axle i is where the leading one was: e^{iβ(x′ + a_i)}
+        let train = |beta: f64| -> Complex64 {
+            axles.iter().map(|a| a.load * Complex64::cis(beta * (a.position - lead))).sum()
+        };
+        let spectrum = self.beta.iter().zip(&self.spectrum).map(|(beta, u)| u * train(*beta)).collect();
+        Self { spectrum, ..self.clone() }
     }
 }
 

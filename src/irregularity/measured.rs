@@ -29,7 +29,7 @@ pub fn measured(csv: &str) -> Result<Realisation, IrregularityError> {
     let uniform = x.iter().enumerate().all(|(i, &x)| (x - place(i)).abs() <= 1e-6 * spacing);
     let mut r = if uniform { r } else { resampled(&x, &r, place) };
     remove_line(&mut r);
-    Ok(series(&r, x_0, spacing))
+    series(&r, x_0, spacing)
 }
 
 /// Positions [m] and heights [m].
@@ -93,7 +93,7 @@ fn remove_line(r: &mut [f64]) {
 }
 
 /// r_i = Σ a_j cos(Ω_j x_i + θ_j), Ω_j = 2πj/L, L = N · spacing.
-fn series(r: &[f64], x_0: f64, spacing: f64) -> Realisation {
+fn series(r: &[f64], x_0: f64, spacing: f64) -> Result<Realisation, IrregularityError> {
     let count = r.len();
     let length = spacing * count as f64;
     // of r_i = Σ g_n e^{inφ_i}, φ_i = 2π(i + ½)/N = Ω_1(x_i − x_0) + π/N
@@ -111,7 +111,7 @@ fn series(r: &[f64], x_0: f64, spacing: f64) -> Realisation {
             }
         })
         .collect();
-    Realisation::new(components, length)
+    Ok(Realisation::new(components, length)?.starting(x_0))
 }
 
 #[cfg(test)]

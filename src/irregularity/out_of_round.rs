@@ -37,7 +37,7 @@ pub fn out_of_round(radius: f64, orders: &[Order]) -> Result<Realisation, Irregu
             phase: finite("phase of an out-of-round wheel", o.phase, "rad")? + PI,
         })
     };
-    Ok(Realisation::new(orders.iter().map(component).collect::<Result<_, _>>()?, TAU * radius))
+    Realisation::new(orders.iter().map(component).collect::<Result<_, _>>()?, TAU * radius)
 }
 
 #[cfg(test)]

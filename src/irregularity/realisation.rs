@@ -1,6 +1,6 @@
 //! One profile out of the many a spectrum allows, as a sum of sinusoids.
 
-use super::{IrregularityError, Spectrum, positive};
+use super::{IrregularityError, Spectrum, finite, positive};
 use std::f64::consts::TAU;
 
 /// amplitude · cos(Ωx + phase).
@@ -26,11 +26,29 @@ impl Component {
 pub struct Realisation {
     components: Vec<Component>,
     repeat_length: f64,
+    from: f64,
 }
 
 impl Realisation {
-    pub(super) fn new(components: Vec<Component>, repeat_length: f64) -> Self {
-        Self { components, repeat_length }
+    /// The sum of `components`, which comes back after `repeat_length` [m].
+    ///
+    /// # Errors
+    /// No component; a wavenumber or length that is not positive; an amplitude or phase that is not finite.
+    pub fn new(components: Vec<Component>, repeat_length: f64) -> Result<Self, IrregularityError> {
+        positive("length after which the profile repeats", repeat_length, "m")?;
+        if components.is_empty() {
+            return Err(IrregularityError::NoComponent);
+        }
+        for c in &components {
+            positive("wavenumber of a component", c.wavenumber, "rad/m")?;
+            finite("amplitude of a component", c.amplitude, "m")?;
+            finite("phase of a component", c.phase, "rad")?;
+        }
+        Ok(Self { components, repeat_length, from: 0.0 })
+    }
+
+    pub(super) fn starting(self, from: f64) -> Self {
+        Self { from, ..self }
     }
 
     /// A profile with `spectrum` between `wavelengths` (shortest, longest) [m]: r(x) = Σ √(2 S(Ω_j) ΔΩ) cos(Ω_j x + θ_j),
@@ -74,7 +92,7 @@ impl Realisation {
                 Component { wavenumber, amplitude, phase: TAU * random.unit() }
             })
             .collect();
-        Ok(Self { components, repeat_length: TAU / step })
+        Self::new(components, TAU / step)
     }
 
     /// The sinusoids, in order of wavenumber unless they were given otherwise.
@@ -85,6 +103,23 @@ impl Realisation {
     /// Length [m] after which the profile comes back, for a spectrum with all phases shifted alike.
     pub fn repeat_length(&self) -> f64 {
         self.repeat_length
+    }
+
+    /// The same with its origin at x = `x` [m]: r(x + x′).
+    pub fn shifted(&self, x: f64) -> Self {
+        let shift = |c: &Component| Component { phase: c.phase + c.wavenumber * x, ..*c };
+        Self { components: self.components.iter().map(shift).collect(), from: self.from - x, ..*self }
+    }
+
+    /// What of it has wavelengths between `shortest` and `longest` [m].
+    pub fn between(&self, shortest: f64, longest: f64) -> Self {
+        let inside = |c: &&Component| (shortest..=longest).contains(&c.wavelength());
+        Self { components: self.components.iter().filter(inside).copied().collect(), ..*self }
+    }
+
+    /// Where it begins [m]: the first point of a measured profile, 0 for the others, which have no beginning.
+    pub fn from(&self) -> f64 {
+        self.from
     }
 
     /// √(Σ a_j²/2) [m]: the r.m.s. over a long length.
@@ -138,6 +173,16 @@ mod tests {
             16_408_922_859_458_223_821,
         ];
         assert_eq!(got, expected);
+    }
+
+    #[test]
+    fn shifted_and_narrowed() {
+        let r = Realisation::of(&class_5(), (1.0, 100.0), 50, 3).unwrap();
+        // rounding of the phases
+        assert!((r.shifted(12.5).at(1.5) - r.at(14.0)).abs() < 1e-15);
+        let (short, long) = (r.between(1.0, 5.0), r.between(5.0, 100.0));
+        assert!(!short.components().is_empty() && long.components().iter().all(|c| c.wavelength() >= 5.0));
+        assert!((short.at(3.0) + long.at(3.0) - r.at(3.0)).abs() < 1e-15);
     }
 
     #[test]

@@ -8,14 +8,12 @@ use std::f64::consts::TAU;
 /// # Errors
 /// An amplitude or wavelength that is not positive, a phase that is not finite.
 pub fn sinusoidal(wavelength: f64, amplitude: f64, phase: f64) -> Result<Realisation, IrregularityError> {
-    Ok(Realisation::new(
-        vec![Component {
-            wavenumber: TAU / positive("wavelength", wavelength, "m")?,
-            amplitude: positive("amplitude", amplitude, "m")?,
-            phase: finite("phase", phase, "rad")?,
-        }],
-        wavelength,
-    ))
+    let wave = Component {
+        wavenumber: TAU / positive("wavelength", wavelength, "m")?,
+        amplitude: positive("amplitude", amplitude, "m")?,
+        phase: finite("phase", phase, "rad")?,
+    };
+    Realisation::new(vec![wave], wavelength)
 }
 
 #[cfg(test)]

@@ -166,6 +166,23 @@ pub fn half_spectrum(values: &[f64], step: f64, period_count: usize) -> Vec<Comp
     spectrum
 }
 
+/// The reverse: u(t_j) = ∫ û e^{2πift} df at t_j = j Δt, Δt = `step` [s], j = 0 … N − 1, N = `period_count` (even), from û(f_n),
+/// n = 0 … N/2, or fewer: the rest is zero. The history repeats after N Δt.
+pub fn from_half_spectrum(spectrum: &[Complex64], step: f64, period_count: usize) -> Vec<f64> {
+    let half = period_count / 2;
+    let mut whole = vec![Complex64::ZERO; period_count];
+    for (n, u) in spectrum.iter().enumerate().take(half + 1) {
+        let u = u / (step * period_count as f64);
+        if n == 0 || n == half {
+            whole[n] = Complex64::from(u.re);
+        } else {
+            (whole[n], whole[period_count - n]) = (u, u.conj());
+        }
+    }
+    rustfft::FftPlanner::new().plan_fft_inverse(period_count).process(&mut whole);
+    whole.iter().map(|u| u.re).collect()
+}
+
 /// ∫ û(f) H(f) e^{2πift} df: `values` sampled at `step` [s], continued by zeros to `period_count` samples (even), through the
 /// filter `transfer` H(f), f ≥ 0 [Hz]; H(−f) = conj H(f). As many samples come back as went in.
 ///
@@ -213,6 +230,16 @@ mod tests {
             let s = Complex64::new(p, TAU * n as f64 / 8.0);
             let error = (spectrum[n] - 1.0 / s).norm();
             assert!((error / (s.norm() * step * step / 12.0) - 1.0).abs() < 1e-3, "{n}: {error:e}");
+        }
+    }
+
+    #[test]
+    fn half_spectrum_and_back() {
+        let values: Vec<f64> = (0..40).map(|j| (0.3 * f64::from(j * j)).sin()).collect();
+        let back = from_half_spectrum(&half_spectrum(&values, 0.01, 40), 0.01, 40);
+        for (a, b) in back.iter().zip(&values) {
+            // rounding
+            assert!((a - b).abs() < 1e-14);
         }
     }
 

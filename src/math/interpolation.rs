@@ -78,6 +78,14 @@ pub fn cubic_weights(t: f64) -> [f64; 4] {
     ]
 }
 
+/// Weights of the values at `nodes` (all different) in the polynomial through them, at `x`.
+pub fn lagrange_weights<const N: usize>(nodes: &[f64; N], x: f64) -> [f64; N] {
+    // w_i = Π_{j ≠ i} (x − x_j)/(x_i − x_j)
+    std::array::from_fn(|i| {
+        (0..N).filter(|j| *j != i).map(|j| (x - nodes[j]) / (nodes[i] - nodes[j])).product()
+    })
+}
+
 /// c_n = (2 − δ_n0)/NODES Σ_j f_j T_n(x_j), x_j = −cos(π(j + ½)/NODES) ascending
 fn chebyshev_coefficients(values: &[Complex64; NODES]) -> [Complex64; NODES] {
     std::array::from_fn(|n| {
@@ -108,6 +116,18 @@ mod tests {
             let w = cubic_weights(t);
             let sum: f64 = (0..4).map(|i| w[i] * cubic(i as f64 - 1.0)).sum();
             assert!((sum - cubic(t)).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn uneven_nodes_are_exact_for_their_degree() {
+        let quintic = |x: f64| ((((0.1 * x + 0.2) * x - 0.3) * x + 1.0) * x - 2.0) * x + 0.5;
+        let nodes = [0.0, 0.7, 1.1, 2.5, 3.0, 4.2];
+        for x in [-0.3, 0.0, 1.9, 4.5] {
+            let weights = lagrange_weights(&nodes, x);
+            let sum: f64 = nodes.iter().zip(weights).map(|(n, w)| w * quintic(*n)).sum();
+            // rounding
+            assert!((sum - quintic(x)).abs() < 1e-12, "{x}");
         }
     }
 

@@ -6,7 +6,6 @@ mod critical_speed;
 mod dispersion;
 mod equivalent_stiffness;
 mod free_field;
-mod free_field_shown;
 mod model;
 mod receptance;
 mod surface_compliance;
@@ -17,7 +16,7 @@ pub use contour::Contour;
 pub use critical_speed::CriticalSpeed;
 pub use dispersion::Dispersion;
 pub use equivalent_stiffness::EquivalentStiffness;
-pub use free_field::{FreeField, Roughness};
+pub use free_field::{FreeField, Irregularity, Roughness};
 pub use model::{Contact, Model, Support};
 pub use receptance::Receptance;
 pub use surface_compliance::SurfaceComplianceTable;
@@ -175,6 +174,12 @@ pub enum StudyError {
     /// A vehicle failed.
     #[error(transparent)]
     Vehicle(#[from] crate::vehicle::BodyError),
+    /// A profile failed.
+    #[error(transparent)]
+    Irregularity(#[from] crate::irregularity::IrregularityError),
+    /// A history failed.
+    #[error(transparent)]
+    Signal(#[from] crate::signal::SignalError),
     /// A measure of vibration failed.
     #[error(transparent)]
     Assessment(#[from] crate::assessment::AssessmentError),

@@ -13,11 +13,11 @@ use crate::common::{STRIP, named, tracks};
 use groundwave::assessment::Band;
 use groundwave::dataset::Group;
 use groundwave::foundation::LayeredSoil;
-use groundwave::interaction::{Section, TrackOnFoundation, WheelRail};
+use groundwave::interaction::{Section, Sections, TrackOnFoundation, WheelRail};
 use groundwave::irregularity::{Component, German, Realisation, Spectrum};
 use groundwave::progress::Silent;
 use groundwave::soil::{DirectStiffness, GroundSolver, PreparedGround, Profile, Solver, ThinLayer};
-use groundwave::study::{Contact, FreeField, Model, Roughness, Support};
+use groundwave::study::{Contact, FreeField, Irregularity, Model, Roughness, Support};
 use groundwave::track::Stack;
 use groundwave::vehicle::{Axle, Multibody, Train};
 use num_complex::Complex64;
@@ -420,6 +420,58 @@ fn one_wheel_in_time() {
         let allowed = if *b > 0.01 * largest { 5e-3 } else { 0.02 };
         assert!(difference.abs() < allowed, "{difference}");
     }
+    // u[n] at (n − reach − early) Δt
+    let first = -((600.0 / (SPEED * step)).floor() + 128.0) * step;
+    history_in_time(&components, &bands, &March { first, step, u });
+}
+
+/// u(t) of the march [m]: time of its first sample, step, values.
+struct March {
+    first: f64,
+    step: f64,
+    u: Vec<f64>,
+}
+
+impl March {
+    /// Velocity at `times` of what lies below `highest` [Hz].
+    fn velocity(&self, times: &[f64], highest: f64) -> Vec<f64> {
+        let size = 2 * self.u.len().next_power_of_two();
+        let mut line: Vec<Complex64> = self.u.iter().map(|u| Complex64::from(*u)).collect();
+        line.resize(size, Complex64::ZERO);
+        FftPlanner::new().plan_fft_forward(size).process(&mut line);
+        let df = 1.0 / (size as f64 * self.step);
+        let at = |t: &f64| -> f64 {
+            (1..(highest / df) as usize)
+                .map(|n| {
+                    let omega = TAU * n as f64 * df;
+                    (Complex64::new(0.0, 2.0 * omega / size as f64)
+                        * line[n]
+                        * Complex64::cis(omega * (t - self.first)))
+                    .re
+                })
+                .sum()
+        };
+        times.par_iter().map(at).collect()
+    }
+}
+
+/// The study's history on the profile of `components` against the march of the same.
+fn history_in_time(components: &[Component], bands: &[Band], march: &March) {
+    let profile = Realisation::new(components.to_vec(), 1e3).unwrap();
+    let mut study = study(bands, (1.0, 10.0));
+    let irregularity = Irregularity::Given { profile, text: "ten waves".into() };
+    study.roughness = study.roughness.map(|r| Roughness { irregularity, ..r });
+    let group = study.run(&model(Solver::DirectStiffness), &Silent).unwrap().group;
+    let values = |name: &str| -> Vec<f64> { group.get(name).unwrap().values.iter().copied().collect() };
+    let (time, v) = (values("time"), values("v_dynamic"));
+    let some: Vec<usize> = (0..time.len()).filter(|i| time[*i].abs() < 1.0 && i % 5 == 0).collect();
+    let times: Vec<f64> = some.iter().map(|&i| time[i]).collect();
+    let own = march.velocity(&times, bands[bands.len() - 1].upper());
+    let size = own.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let worst = some.iter().zip(&own).map(|(&i, o)| (v[i] - o).abs()).fold(0.0, f64::max) / size;
+    println!("history: worst {worst:e} of the largest");
+    // at its worst instant; the study's contact forces are 1.6e-2 off near 76 Hz (`forces_of_the_study`). Measured 1.36e-2
+    assert!(worst < 0.02, "{worst:e}");
 }
 
 // ---------------------------------------------------------------------------------------------------------------------------
@@ -441,8 +493,7 @@ fn study(bands: &[Band], wavelengths: (f64, f64)) -> FreeField {
         roughness: Some(Roughness {
             bodies: wheel(&[0.0]),
             contact: CONTACT,
-            spectrum: SPECTRUM,
-            wavelengths,
+            irregularity: Irregularity::Random { spectrum: SPECTRUM, wavelengths, seed: 1, count: 1 },
         }),
     }
 }
@@ -506,8 +557,7 @@ fn seeds_scatter_about_the_expected_value() {
         println!("{:>5} Hz: mean {mean:.3} ± {error:.3}, without cross terms {incoherent:.5}", band.label());
         // the error of the mean is 2 to 3.3 %; measured at most 2.3 of them (8 Hz)
         assert!((mean - 1.0).abs() < 3.0 * error, "{mean} ± {error}");
-        // r.m.s. measured 6.8e-3 at 8 Hz: 0.4 % are the
-        // study's four cells in a steep band, the rest the even steps of these 600 components (with 2400 in its cells 2.9e-4)
+        // r.m.s. measured 5.6e-3 at 8 Hz: the even steps of these 600 components
         assert!((incoherent.sqrt() - 1.0).abs() < 0.01, "{incoherent}");
     }
 }
@@ -535,6 +585,68 @@ fn forces_of_the_study() {
     // measured 1.6e-2 at 75.8 Hz: the cubics through 20 points per factor e follow α no better near the resonance of the wheel on the
     // track (10 points: 5.7e-2, 30 points: 3.9e-3). Bands from 10 to 80 Hz change by 1.6e-3 from 10 to 30 points
     assert!(worst.abs() < 0.03, "{worst:e}");
+}
+
+/// Many histories carry the expected energy; the seed decides each.
+#[test]
+fn histories_of_many_profiles() {
+    let bands = Band::range(4.0, 63.0).unwrap();
+    let mut study = study(&bands, (SPEED / 60.0, SPEED / 5.0));
+    let count = 200;
+    let many = |seed, count| Irregularity::Random {
+        spectrum: SPECTRUM,
+        wavelengths: (SPEED / 60.0, SPEED / 5.0),
+        seed,
+        count,
+    };
+    let model = model(Solver::DirectStiffness);
+    let mut run = |irregularity| {
+        study.roughness = study.roughness.clone().map(|r| Roughness { irregularity, ..r });
+        study.run(&model, &Silent).unwrap().group
+    };
+    let group = run(many(1, count));
+    let values =
+        |group: &Group, name: &str| -> Vec<f64> { group.get(name).unwrap().values.iter().copied().collect() };
+    let expected: f64 = values(&group, "v_rms_total").iter().map(|v| v * v).sum();
+    let energies = values(&group, "exposure");
+    let mean = energies.iter().sum::<f64>() / count as f64;
+    let variance = energies.iter().map(|e| (e - mean).powi(2)).sum::<f64>() / (count - 1) as f64;
+    let error = (variance / count as f64).sqrt();
+    println!("{:.4} ± {:.4} of the expected energy", mean / expected, error / expected);
+    // measured 0.989 ± 0.016
+    assert!((mean - expected).abs() < 3.0 * error, "{mean} ± {error}, {expected}");
+    // seed 3 is the third of them
+    let third = run(many(3, 1));
+    assert_eq!(values(&third, "exposure")[0], energies[2]);
+    assert_ne!(energies[0], energies[1]);
+}
+
+/// h between sections against sections there.
+#[test]
+fn between_sections() {
+    let (stack, profile) = (tracks::ballasted(), named("paper_layered"));
+    let receivers = [5.0, 20.0];
+    let section = |omega: f64| -> Result<Section, ()> {
+        let ground = DirectStiffness.prepare(&profile, omega, &[]).unwrap();
+        Ok(Section::new(&stack, ground.as_ref(), STRIP, omega, &receivers))
+    };
+    let sections = Sections::new((1.0, 550.0), &receivers, 1.0 / SLOW, section).unwrap();
+    println!("{} sections", sections.count());
+    assert!(sections.converged);
+    let mut worst = 0.0f64;
+    for i in 0..40 {
+        let omega = 1.0 * 550f64.powf((f64::from(i) + 0.31) / 40.0);
+        let (here, between) = (section(omega).unwrap(), sections.at(omega));
+        for r in 0..receivers.len() {
+            let betas: Vec<f64> = (0..60).map(|j| 1.2 * omega / SLOW * f64::from(j) / 60.0).collect();
+            let largest = betas.iter().map(|b| here.transfer(r, *b).norm()).fold(0.0, f64::max);
+            let off = betas.iter().map(|b| (here.transfer(r, *b) - between.transfer(r, *b)).norm());
+            worst = worst.max(off.fold(0.0, f64::max) / largest);
+        }
+    }
+    println!("worst {worst:e}");
+    // measured 5.0e-4, as much as one table is off
+    assert!(worst < 2e-3, "{worst:e}");
 }
 
 #[test]

@@ -1,0 +1,152 @@
+//! The ground across the track at any frequency: h(β, ω) between sections at some.
+
+use super::Section;
+use crate::math::interpolation::lagrange_weights;
+use num_complex::Complex64;
+use rayon::prelude::*;
+
+/// Sections that make one value.
+const NODES: usize = 6;
+/// Difference of a new section from what the old ones say, relative to its largest value, below which the new ones are dense
+/// enough; six points twice as dense are 2⁶ times as good.
+const PREDICTED: f64 = 3e-2;
+/// How often a distance between sections may be halved.
+const HALVINGS: usize = 5;
+/// Slownesses at which sections are compared, up to 1.2 times the slowest wave.
+const PROBES: usize = 24;
+
+/// Sections at ascending frequencies, dense enough for what lies between them.
+pub struct Sections {
+    omega: Vec<f64>,
+    sections: Vec<Section>,
+    /// Distances of the receivers [m] and the slowness of the slowest wave [s/m].
+    receivers: Vec<f64>,
+    slowness: f64,
+    /// False where sections are too far apart or one of them missed its accuracy.
+    pub converged: bool,
+}
+
+/// h(β) at one ω between the sections.
+pub struct Between<'a> {
+    of: &'a Sections,
+    omega: f64,
+    /// ω of a section, the section, its weight.
+    parts: [(f64, &'a Section, f64); NODES],
+}
+
+impl Sections {
+    /// Sections for frequencies `range` (lowest, highest) [rad/s], above zero, and `receivers` [m]; `slowness` [s/m] is that of the
+    /// slowest wave, `section` makes one.
+    ///
+    /// At one slowness s = β/ω the waves of a half-space keep their places and e^{−iωτ(s)}, τ = y√(s_R² − s²), is all that changes. It
+    /// is taken out and put back; other waves and layers leave some of it. Sections stand 2/τ(0) apart, are halved once
+    /// everywhere, and again where that told something new.
+    ///
+    /// Accuracy: measured while halving, better than 1e-3 of the largest h of each receiver (test
+    /// `cross_solver::free_field::between_sections`).
+    ///
+    /// # Errors
+    /// The first one of `section`.
+    pub fn new<E: Send>(
+        range: (f64, f64),
+        receivers: &[f64],
+        slowness: f64,
+        section: impl Fn(f64) -> Result<Section, E> + Sync,
+    ) -> Result<Self, E> {
+        let time = slowness * receivers.iter().copied().fold(0.0, f64::max);
+        let mut omega = vec![range.0];
+        while omega[omega.len() - 1] < range.1 || omega.len() < NODES {
+            let last = omega[omega.len() - 1];
+            // long waves and layers: their fields change with ω itself
+            omega.push(last + (4.0 / time).min(0.3 * last));
+        }
+        let make =
+            |omega: &[f64]| -> Result<Vec<Section>, E> { omega.par_iter().map(|w| section(*w)).collect() };
+        let sections = make(&omega)?;
+        let receivers = receivers.to_vec();
+        let mut result = Self { omega, sections, receivers, slowness, converged: false };
+        // whether the interval above each section is to be halved
+        let mut halve = vec![true; result.omega.len() - 1];
+        for _ in 0..HALVINGS {
+            let middles: Vec<f64> = (0..halve.len())
+                .filter(|i| halve[*i])
+                .map(|i| 0.5 * (result.omega[i] + result.omega[i + 1]))
+                .collect();
+            if middles.is_empty() {
+                break;
+            }
+            let new = make(&middles)?;
+            let told: Vec<bool> =
+                middles.iter().zip(&new).map(|(w, section)| result.at(*w).differs(section)).collect();
+            halve = result.merge(&halve, (middles, new, told));
+        }
+        result.converged = !halve.contains(&true) && result.sections.iter().all(Section::converged);
+        Ok(result)
+    }
+
+    /// Takes the middles of the intervals marked in `halved` in; which of the new intervals to halve: those about a middle that
+    /// told something new.
+    fn merge(&mut self, halved: &[bool], new: (Vec<f64>, Vec<Section>, Vec<bool>)) -> Vec<bool> {
+        let old = std::mem::take(&mut self.omega).into_iter().zip(std::mem::take(&mut self.sections));
+        let mut middles = new.0.into_iter().zip(new.1).zip(new.2);
+        let mut again = Vec::new();
+        for (i, (omega, section)) in old.enumerate() {
+            self.omega.push(omega);
+            self.sections.push(section);
+            if halved.get(i) == Some(&true) {
+                if let Some(((omega, section), told)) = middles.next() {
+                    self.omega.push(omega);
+                    self.sections.push(section);
+                    again.extend([told, told]);
+                }
+            } else if i < halved.len() {
+                again.push(false);
+            }
+        }
+        again
+    }
+
+    /// h at `omega` > 0 [rad/s]; beyond the sections the polynomial of the end.
+    pub fn at(&self, omega: f64) -> Between<'_> {
+        let above = self.omega.partition_point(|w| *w < omega);
+        let first = above.saturating_sub(NODES / 2).min(self.omega.len() - NODES);
+        let nodes: [f64; NODES] = std::array::from_fn(|i| self.omega[first + i]);
+        let weights = lagrange_weights(&nodes, omega);
+        let parts = std::array::from_fn(|i| (nodes[i], &self.sections[first + i], weights[i]));
+        Between { of: self, omega, parts }
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.omega.len()
+    }
+}
+
+impl Between<'_> {
+    /// h(β) at receiver number `receiver` [m per N/m].
+    pub fn transfer(&self, receiver: usize, beta: f64) -> Complex64 {
+        let slowness = beta / self.omega;
+        // τ(s); evanescent waves have no phase to take out
+        let time =
+            (self.of.slowness.powi(2) - slowness * slowness).max(0.0).sqrt() * self.of.receivers[receiver];
+        let part = |(omega, section, weight): &(f64, &Section, f64)| {
+            section.transfer(receiver, slowness * omega)
+                * Complex64::from_polar(*weight, (omega - self.omega) * time)
+        };
+        self.parts.iter().map(part).sum()
+    }
+
+    /// Whether `section`, at this ω, is something else than what its neighbours say.
+    fn differs(&self, section: &Section) -> bool {
+        (0..self.of.receivers.len()).any(|r| {
+            let (mut largest, mut difference) = (0.0f64, 0.0f64);
+            for i in 0..PROBES {
+                let beta = 1.2 * self.of.slowness * self.omega * (i as f64 + 0.5) / PROBES as f64;
+                let h = section.transfer(r, beta);
+                largest = largest.max(h.norm());
+                difference = difference.max((self.transfer(r, beta) - h).norm());
+            }
+            difference > PREDICTED * largest
+        })
+    }
+}

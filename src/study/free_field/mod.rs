@@ -1,0 +1,286 @@
+//! How much does a passing train shake the ground beside the track?
+//!
+//! Quasi-static part: the axle loads, constant and moving. Dynamic part: forces of the wheels on a rough rail, as the expected value
+//! over all profiles of a spectrum and for single profiles. With h the ground's displacement per unit force on the rail,
+//!
+//! ```text
+//! û_qs(ω) = (1/v) h(−ω/v, ω) Σ_i P_i e^{−iωa_i/v}
+//! û_dyn(ω) = (1/2v) Σ_j a_j ( e^{iθ_j} H_j⁺ + e^{−iθ_j} H_j⁻ )            r(x) = Σ_j a_j cos(Ω_j x + θ_j)
+//! E|û_dyn(ω)|² = ∫ ½ S(Ω) ( |H⁺|² + |H⁻|² )/v² dΩ,   H^± = h(β, ω) Σ_i P_i(±Ω) e^{iβa_i},  β = ±Ω − ω/v
+//! v_rms = √( (1/π) ∫_band ω²|û|² dω / T )
+//! ```
+
+mod bands;
+mod dataset;
+mod metrics;
+mod passes;
+mod shown;
+
+use super::{Contact, Model, Outcome, StudyError};
+use crate::assessment::Band;
+use crate::concern::Concern;
+use crate::foundation::LayeredSoil;
+use crate::interaction::{ContactForces, Section, Sections, TrackOnFoundation, WheelRail};
+use crate::irregularity::{Realisation, Spectrum};
+use crate::progress::Observer;
+use crate::soil::{Solver, Strip};
+use crate::vehicle::{Multibody, Train};
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Accuracy of G, and the wavenumbers thin layers must resolve [rad/m].
+const GROUND_ACCURACY: f64 = 1e-4;
+const K_MAX: f64 = 30.0;
+
+/// The solver for integrals whose every point has its own ω: modes would serve one point each.
+fn pointwise(solver: Solver) -> Solver {
+    if solver.has_modes() { Solver::DirectStiffness } else { solver }
+}
+
+/// What the wheels roll over.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Irregularity {
+    /// All profiles of a spectrum, and some of them.
+    Random {
+        /// S(Ω)
+        spectrum: Spectrum,
+        /// Shortest and longest wavelength [m].
+        wavelengths: (f64, f64),
+        /// Seed of the first profile; the next ones count up.
+        seed: u64,
+        /// How many profiles; at least one.
+        count: usize,
+    },
+    /// One profile. x = 0 is abreast of the receivers.
+    Given {
+        /// The profile.
+        profile: Realisation,
+        /// What it is, in one line.
+        text: String,
+    },
+}
+
+impl Irregularity {
+    /// What it is, in one line.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Random { spectrum, .. } => spectrum.text(),
+            Self::Given { text, .. } => text.clone(),
+        }
+    }
+
+    /// Smallest and largest wavenumber [rad/m].
+    fn wavenumbers(&self) -> (f64, f64) {
+        match self {
+            Self::Random { wavelengths, .. } => (TAU / wavelengths.1, TAU / wavelengths.0),
+            Self::Given { profile, .. } => profile
+                .components()
+                .iter()
+                .fold((f64::INFINITY, 0.0), |(low, high), c| (c.wavenumber.min(low), c.wavenumber.max(high))),
+        }
+    }
+
+    /// Standard deviation [m].
+    fn rms(&self) -> f64 {
+        match self {
+            Self::Random { spectrum, wavelengths, .. } => spectrum.band_rms(wavelengths.0, wavelengths.1),
+            Self::Given { profile, .. } => profile.rms(),
+        }
+    }
+}
+
+/// Wheels that follow a rough rail.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Roughness {
+    /// The whole train; its wheelsets stand where the axles of [`Train`] do, in their order.
+    pub bodies: Multibody,
+    /// k_H of each wheelset [N/m].
+    pub contact: f64,
+    /// The profile, or what is known of it.
+    pub irregularity: Irregularity,
+}
+
+/// Velocity of the ground's surface at some receivers during one pass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeField {
+    /// v [m/s]
+    pub speed: f64,
+    /// Distances from the centre line of the track [m], ascending.
+    pub receivers: Vec<f64>,
+    /// T [s], over which the energy of the pass is averaged; None: the train's length and twice the farthest receiver's distance,
+    /// over v.
+    pub passage_time: Option<f64>,
+    /// Third-octave bands, one after another.
+    pub bands: Vec<Band>,
+    /// None: the quasi-static part alone.
+    pub roughness: Option<Roughness>,
+}
+
+/// What the parts of the study share.
+struct Pass<'a> {
+    study: &'a FreeField,
+    model: &'a Model,
+    train: &'a Train,
+    strip: Strip,
+    /// T [s]
+    passage_time: f64,
+}
+
+impl FreeField {
+    /// Third-octave r.m.s. velocities of the pass, quasi-static, dynamic and total; its histories, and what people make of them.
+    ///
+    /// Accuracy: 1 % of each dynamic band, 1e-3 of the energy of quasi-static bands that are not negligible beside the largest (tests
+    /// `cross_solver::free_field`, `cross_solver::passage`); histories: see `passes`.
+    ///
+    /// # Errors
+    /// No layered ground, no train, wheels that are not those of the train, a receiver on the track, undamped waves.
+    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        let train = self.train(model)?;
+        let strip = model.contact().strip().ok_or(StudyError::PointLoad)?;
+        let passage_time = self.passage_time.unwrap_or((train.length() + 2.0 * self.farthest()) / self.speed);
+        let pass = Pass { study: self, model, train, strip, passage_time };
+        let times = pass.times();
+        let mut converged = true;
+
+        let (profile, solver) = model.ground("free_field")?;
+        // each β along ω̃ − βv has its own ω
+        let soil = LayeredSoil::new(profile.clone(), pointwise(solver), strip)?;
+        let track = TrackOnFoundation::new(model.stack(), &soil, 0.0);
+        let quasi_static = pass.quasi_static(&track, times, observer)?;
+        converged &= quasi_static.converged;
+        let sections = pass.sections(times, observer)?;
+        converged &= sections.converged;
+
+        let mut energies = bands::Energies::quasi_static(&pass, &sections)?;
+        let mut histories = vec![quasi_static.velocity.clone()];
+        let mut driven = Vec::new();
+        if let Some(roughness) = &self.roughness {
+            let contact = vec![roughness.contact; roughness.bodies.wheelset_count()];
+            let wheels =
+                WheelRail { track: &track, bodies: &roughness.bodies, contact: &contact, speed: self.speed };
+            let forces = ContactForces::new(&wheels, roughness.irregularity.wavenumbers(), observer)?;
+            converged &= forces.converged;
+            let profiles = pass.profiles(&roughness.irregularity, times)?;
+            histories = pass
+                .dynamic(&sections, &forces, &profiles, times, observer)
+                .into_iter()
+                .map(|dynamic| dynamic + &quasi_static.velocity)
+                .collect();
+            driven = match &roughness.irregularity {
+                Irregularity::Random { spectrum, wavelengths, .. } => {
+                    let components = pass.components(spectrum, *wavelengths, &forces);
+                    energies.add_expected(&pass, &sections, &components, observer);
+                    components.into_iter().map(|c| c.driven(self.speed)).collect()
+                }
+                Irregularity::Given { profile, .. } => {
+                    energies.add_given(&pass, &histories[0], &quasi_static.velocity, times)?;
+                    let force = |c: &crate::irregularity::Component| Driven {
+                        frequency: c.wavenumber * self.speed / TAU,
+                        force: c.amplitude * forces.at(c.wavenumber)[0].norm(),
+                    };
+                    profile.components().iter().map(force).collect()
+                }
+            };
+        }
+        let metrics = metrics::Metrics::of(&histories, times)?;
+        let answer = Answered { pass: &pass, energies, quasi_static, histories, times, metrics, driven };
+        let mut concerns = self.concerns(model);
+        concerns.extend(answer.concerns());
+        if !converged {
+            concerns.push(Concern::new(
+                "quadrature",
+                "some wavenumber integrals of the free field missed their accuracy (1e-3)",
+                "poles lie too close to the real axis (more damping helps), or the track spreads the load too little",
+            ));
+        }
+        let velocities = answer.energies.velocities(passage_time)?;
+        Ok(Outcome {
+            group: answer.group(&velocities),
+            figures: answer.figures(&velocities),
+            answers: answer.answers(&velocities)?,
+            concerns,
+        })
+    }
+
+    /// [m]
+    fn farthest(&self) -> f64 {
+        self.receivers.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The axles, which are those of the bodies.
+    fn train<'a>(&self, model: &'a Model) -> Result<&'a Train, StudyError> {
+        let train = model.train("free_field")?;
+        let Some(roughness) = &self.roughness else { return Ok(train) };
+        let (axles, wheels) = (train.axles(), roughness.bodies.axles());
+        let apart = axles.iter().zip(wheels).any(|(a, w)| (a.position - w.position).abs() > 1e-6);
+        if apart || axles.len() != wheels.len() {
+            return Err(StudyError::OtherWheels { axles: axles.len(), wheelsets: wheels.len() });
+        }
+        Ok(train)
+    }
+
+    /// Refuses what cannot be answered before anything is computed.
+    ///
+    /// # Errors
+    /// As `run`.
+    pub fn check(&self, model: &Model) -> Result<(), StudyError> {
+        model.ground("free_field")?;
+        self.train(model)?;
+        model.receivers(&self.receivers)?;
+        if !matches!(model.contact(), Contact::Strip(_)) {
+            return Err(StudyError::NeedsTrack { study: "free_field" });
+        }
+        // wheels shed waves of every phase speed
+        model.check_damping(std::iter::once(f64::INFINITY))
+    }
+}
+
+/// Force of the leading wheelset at one driving frequency.
+struct Driven {
+    /// f̃ = Ωv/2π [Hz]
+    frequency: f64,
+    /// √ of the one-sided density [N/√Hz] on a random profile, the amplitude [N] on a given one.
+    force: f64,
+}
+
+/// All that was computed.
+struct Answered<'a> {
+    pass: &'a Pass<'a>,
+    energies: bands::Energies,
+    quasi_static: passes::QuasiStatic,
+    /// Total velocity [m/s] of each profile, receivers × times.
+    histories: Vec<ndarray::Array2<f64>>,
+    times: passes::Times,
+    metrics: metrics::Metrics,
+    driven: Vec<Driven>,
+}
+
+impl Pass<'_> {
+    /// Sections of the ground from the lowest frequency of the histories to the upper end of the bands.
+    fn sections(&self, times: passes::Times, observer: &dyn Observer) -> Result<Sections, StudyError> {
+        let (profile, solver) = self.model.ground("free_field")?;
+        let bands = &self.study.bands;
+        let lowest = bands.iter().map(|b| b.lower()).fold(1.0 / times.period(), f64::min);
+        let highest = bands.iter().map(|b| b.upper()).fold(0.0, f64::max);
+        let slowest = profile.slowest_rayleigh_speed();
+        observer.begin("ground", 0);
+        let section = |omega: f64| {
+            let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
+            let section =
+                Section::new(self.model.stack(), ground.as_ref(), self.strip, omega, &self.study.receivers);
+            observer.advance();
+            Ok(section)
+        };
+        let range = (TAU * lowest, TAU * highest);
+        let sections = Sections::new(range, &self.study.receivers, 1.0 / slowest, section);
+        observer.end();
+        sections
+    }
+
+    /// Σ_i p_i e^{−iωa_i/v} for ω = `omega`.
+    fn phases(&self, omega: f64) -> Vec<Complex64> {
+        let lead = self.train.axles()[0].position;
+        let phase = |position: f64| Complex64::cis(-omega * (position - lead) / self.study.speed);
+        self.train.axles().iter().map(|a| phase(a.position)).collect()
+    }
+}
