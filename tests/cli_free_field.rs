@@ -16,7 +16,15 @@ const FIELD: &str = "[free_field]\nspeed = \"216 km/h\"\nreceivers = [8.0, 16.0]
                      frequencies = { from = 2.0, to = 10.0 }\n";
 
 fn run(parts: &[&str]) -> (i32, String, String, tempfile::TempDir) {
+    run_beside("", parts)
+}
+
+/// With a file "rail.csv" beside the case.
+fn run_beside(csv: &str, parts: &[&str]) -> (i32, String, String, tempfile::TempDir) {
     let folder = tempfile::tempdir().unwrap();
+    if !csv.is_empty() {
+        std::fs::write(folder.path().join("rail.csv"), csv).unwrap();
+    }
     let text = format!("title = \"t\"\n[soil]\nsolver.kind = \"thin-layer\"\n{LAYERS}\n{}", parts.concat());
     std::fs::write(folder.path().join("case.toml"), text).unwrap();
     let output = groundwave(&["run", "case.toml", "--out", "out"], folder.path());
@@ -27,19 +35,41 @@ fn run(parts: &[&str]) -> (i32, String, String, tempfile::TempDir) {
 fn a_free_field_leaves_what_it_promises() {
     let (code, out, err, folder) = run(&[TRACK, TRAIN, ROUGH, FIELD]);
     assert_eq!(code, 0, "{err}");
-    assert!(out.contains("R.m.s. velocity at 8 m") && out.contains("dB re 1e-9 m/s"), "{out}");
+    for said in
+        ["R.m.s. velocity at 8 m", "dB re 1e-9 m/s", "KB_Fmax at 16 m", "in 10 profiles", "VdB re 2.54e-8"]
+    {
+        assert!(out.contains(said), "no \"{said}\" in: {out}");
+    }
     let at = |name: &str| folder.path().join("out").join(name);
     let summary: Value = serde_json::from_slice(&std::fs::read(at("summary.json")).unwrap()).unwrap();
     assert!(summary.to_string().contains("v_rms_16"), "{summary}");
-    for picture in
-        ["free_field_8", "free_field_16", "free_field_receivers", "free_field_distance", "contact_force"]
-    {
+    for picture in [
+        "free_field_8",
+        "free_field_16",
+        "free_field_receivers",
+        "free_field_distance",
+        "free_field_history_8",
+        "free_field_history_16",
+        "free_field_kb",
+        "free_field_kb_distance",
+        "free_field_level_distance",
+        "free_field_vdv_distance",
+        "contact_force",
+    ] {
         for end in ["svg", "png"] {
             assert!(at(&format!("{picture}.{end}")).metadata().unwrap().len() > 1000, "{picture}.{end}");
         }
     }
     let report = std::fs::read_to_string(at("report.html")).unwrap();
-    for said in ["expected value over all profiles", "per rad/m", "no coupling loss", "3 to 100 m"] {
+    for said in [
+        "expected value over all profiles",
+        "per rad/m",
+        "no coupling loss",
+        "3 to 100 m",
+        "10 of these profiles (seeds from 1)",
+        "to compare, not to judge",
+        "DIN 4150-2:1999, A_u residential, night: 0.1",
+    ] {
         assert!(report.contains(said), "{said}");
     }
 }
@@ -49,6 +79,74 @@ fn without_roughness_there_is_the_quasi_static_part() {
     let (code, out, err, _folder) = run(&[TRACK, TRAIN, FIELD]);
     assert_eq!(code, 0, "{err}");
     assert!(out.contains("dynamic 0.0000"), "{out}");
+}
+
+/// Three waves over 200 m, every 0.5 m.
+fn rail() -> String {
+    let height = |x: f64| 1e-3 * ((0.5 * x).sin() + 0.5 * (1.1 * x).cos() + 0.2 * (2.3 * x).sin());
+    (0..400)
+        .map(|i| 0.5 * f64::from(i))
+        .fold("x_m,r_m\n".into(), |csv, x| csv + &format!("{x},{:e}\n", height(x)))
+}
+
+const MEASURED: &str = "[irregularity]\nkind = \"measured\"\nfile = \"rail.csv\"\n\
+                        wavelengths = { from = 2.0, to = 50.0 }\n";
+const WAVE: &str = "[irregularity]\nkind = \"sinusoidal\"\nwavelength = 8.0\namplitude = 1e-3\n";
+const WHEELS: &str =
+    "[irregularity]\nkind = \"out-of-round\"\nradius = 0.46\norders = [{ order = 1, amplitude = 2e-4 }]\n";
+
+#[test]
+fn given_profiles_shake_the_ground() {
+    let field = FIELD.replace("to = 10.0", "to = 31.5");
+    let rms = |profile: &str, csv: &str| -> f64 {
+        let (code, _, err, folder) = run_beside(csv, &[TRACK, TRAIN, profile, &field]);
+        assert_eq!(code, 0, "{err}");
+        let at = folder.path().join("out").join("summary.json");
+        let summary: Value = serde_json::from_slice(&std::fs::read(at).unwrap()).unwrap();
+        summary["free_field"]["v_rms_8"].as_f64().unwrap()
+    };
+    let smooth = rms("", "");
+    for (profile, csv) in [(MEASURED, rail()), (WAVE, String::new()), (WHEELS, String::new())] {
+        let rough = rms(profile, &csv);
+        assert!(rough > 1.01 * smooth, "{profile}: {rough:e} {smooth:e}");
+    }
+    // linear: the dynamic energy is a hundredfold, but for its product with the quasi-static part in the total; measured 98.9
+    let dynamic = |amplitude: &str| rms(&WAVE.replace("1e-3", amplitude), "").powi(2) - smooth.powi(2);
+    let ratio = dynamic("1e-2") / dynamic("1e-3");
+    assert!((ratio / 100.0 - 1.0).abs() < 0.05, "{ratio}");
+}
+
+#[test]
+fn faults_of_profiles_are_named_at_their_key() {
+    let long = MEASURED.replace("to = 50.0", "to = 500.0");
+    let beyond = format!("{MEASURED}abreast = 300.0\n");
+    let unfit = format!("{MEASURED}class = 5\n");
+    let bare = MEASURED.replace("file = \"rail.csv\"\n", "");
+    let order = WHEELS.replace("order = 1", "order = 0");
+    let flat = WAVE.replace("1e-3", "0.0");
+    let bare_wave = WAVE.replace("amplitude = 1e-3\n", "");
+    let none = format!("{ROUGH}profiles = 0\n");
+    let broken = rail().replace("3.5,", "3.4.5,");
+    let whole = rail();
+    for (csv, profile, says) in [
+        (whole.as_str(), long.as_str(), vec!["irregularity.wavelengths.to", "500", "200 m long"]),
+        (&whole, &beyond, vec!["irregularity.abreast", "300 m", "0 to 200 m"]),
+        (&whole, &unfit, vec!["irregularity.class", "measured", "file, abreast, wavelengths"]),
+        (&whole, &bare, vec!["measured needs file"]),
+        ("", MEASURED, vec!["irregularity.file", "rail.csv"]),
+        (&broken, MEASURED, vec!["irregularity.file", "line 9", "3.4.5"]),
+        ("", &order, vec!["irregularity.orders[0].order", "found 0"]),
+        ("", &flat, vec!["irregularity.amplitude", "above zero"]),
+        ("", &bare_wave, vec!["sinusoidal needs amplitude"]),
+        ("", &none, vec!["irregularity.profiles", "between 1 and 1000"]),
+    ] {
+        let (code, out, err, folder) = run_beside(csv, &[TRACK, TRAIN, profile, FIELD]);
+        assert_eq!(code, 2, "{says:?}: {out} {err}");
+        for said in &says {
+            assert!(err.contains(said), "no \"{said}\" in: {err}");
+        }
+        assert!(!folder.path().join("out").exists(), "{says:?}");
+    }
 }
 
 #[test]

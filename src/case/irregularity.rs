@@ -138,9 +138,10 @@ fn profile(
         Finding::new(at, format!("{file}: {e}"))
             .help("a header line, then x [m] and r [m, positive down], x rising")
     })?;
-    let (first, length) = (whole.from(), whole.repeat_length());
+    // N spacings, less their rounding
+    let (first, length) = (whole.from(), (1e6 * whole.repeat_length()).round() / 1e6);
     if let Some((_, longest)) = wavelengths.filter(|w| w.1 > length) {
-        let message = format!("to {longest} m: the profile of {file} is only {length:.4} m long");
+        let message = format!("to {longest} m: the profile of {file} is only {length} m long");
         return Err(Finding::new("irregularity.wavelengths.to", message)
             .help("it holds no longer waves: measure a longer profile, or narrow the wavelengths"));
     }
@@ -159,7 +160,7 @@ fn profile(
     }
     let range = wavelengths.map_or(String::new(), |(a, b)| format!(", wavelengths {a} to {b} m"));
     let text = format!(
-        "measured, {file}, {length:.2} m from x = {first} m, x = {abreast} m abreast of the receivers{range}"
+        "measured, {file}, {length} m from x = {first} m, x = {abreast} m abreast of the receivers{range}"
     );
     Ok(Irregularity::Given { profile: profile.shifted(abreast), text })
 }

@@ -29,13 +29,22 @@ impl Measure {
 
     /// The same with its unit.
     pub fn shown(&self, value: f64) -> String {
-        let unit = match self.units {
-            "m s-1" => " mm/s",
-            "m s-2" => " m/s²",
-            "m s-1.75" => " m/s^1.75",
-            _ => "",
-        };
-        self.number(value) + unit
+        match self.unit() {
+            "m/s" => format!("{} mm/s", self.number(value)),
+            "1" => self.number(value),
+            unit => format!("{} {unit}", self.number(value)),
+        }
+    }
+
+    /// Unit as readers write it.
+    pub fn unit(&self) -> &'static str {
+        match self.units {
+            "m s-1" => "m/s",
+            "m s-2" => "m/s²",
+            "m s-1.75" => "m/s^1.75",
+            "m2 s-1" => "m²/s",
+            _ => "1",
+        }
     }
 }
 

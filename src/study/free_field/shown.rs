@@ -98,7 +98,7 @@ impl Answered<'_> {
                 if m == V_SLOW_MAXIMUM {
                     shown = format!("{shown}; {}", Level::of(mean, Reference::VdB)?);
                 }
-                add(measure.key, format!("{} at {y} m", measure.symbol), mean, measure.units, shown);
+                add(measure.key, format!("{} at {y} m", measure.symbol), mean, measure.unit(), shown);
             }
         }
         Ok(answers)
@@ -245,7 +245,7 @@ impl Answered<'_> {
         let picture = |m: usize, name: &str, quantities: &[Quantity], level: bool| {
             let convert = |v: f64| if level { 20.0 * (v / Reference::VdB.velocity()).log10() } else { v };
             let measure = &MEASURES[m];
-            let unit = if level { "VdB re 1 µin/s" } else { measure.units };
+            let unit = if level { "VdB re 1 µin/s" } else { measure.unit() };
             let y_label = format!("{} [{}]", measure.symbol, if unit == "1" { "-" } else { unit });
             let title = format!("{} against distance, {}", measure.symbol, speed_text(study.speed));
             let labels = ("distance from the centre line [m]", y_label.as_str());
