@@ -105,6 +105,12 @@ fn excitation(studies: &[Study]) -> Vec<String> {
                     ),
                     None => "The rail is smooth: the quasi-static part of constant moving axle loads alone.".into(),
                 });
+                if let Some(solver) = study.sections {
+                    list.push(format!(
+                        "Across the track the ground of the free field is solved by {}, as the case names no solver.",
+                        solver.name()
+                    ));
+                }
                 if let Some(Irregularity::Random { wavelengths: (from, to), seed, count, .. }) =
                     study.roughness.as_ref().map(|r| &r.irregularity)
                 {

@@ -3,14 +3,15 @@
 use super::error::Finding;
 use super::irregularity;
 use super::schema::{
-    CaseInput, ContourInput, DispersionInput, FreeFieldInput, MeasuredInput, QuantityInput, SpanInput,
-    TrackResponseInput, WaveInput,
+    CaseInput, ContourInput, DispersionInput, FreeFieldInput, MeasuredInput, QuantityInput, SoilInput,
+    SpanInput, TrackResponseInput, WaveInput,
 };
 use super::train::Wheels;
-use super::values::{Range, Speed};
+use super::values::{Named, Range, Speed};
 use crate::assessment::Band;
 use crate::interaction::{Quantity, Window};
 use crate::soil::dispersion::SurfaceWave;
+use crate::soil::{Solver, ThinLayer};
 use crate::study::{
     Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Receptance, Record, Roughness, Study,
     SurfaceComplianceTable, TrackResponse, same_speed, tag,
@@ -335,7 +336,10 @@ fn free_field(
             })
         }
     };
-    Ok(FreeField { speed, receivers, passage_time, bands, roughness })
+    // a case that says nothing of solvers gets the quick one where it matters
+    let named = |soil: &Named<SoilInput>| matches!(soil, Named::Table(table) if table.solver.is_some());
+    let sections = (!case.soil.as_ref().is_some_and(named)).then(|| Solver::ThinLayer(ThinLayer::default()));
+    Ok(FreeField { speed, receivers, passage_time, bands, roughness, sections })
 }
 
 /// The studies a case asks for, in the order of this list.

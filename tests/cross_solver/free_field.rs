@@ -490,6 +490,7 @@ fn study(bands: &[Band], wavelengths: (f64, f64)) -> FreeField {
         receivers: vec![RECEIVER],
         passage_time: Some(1.0),
         bands: bands.to_vec(),
+        sections: None,
         roughness: Some(Roughness {
             bodies: wheel(&[0.0]),
             contact: CONTACT,

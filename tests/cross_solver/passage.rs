@@ -68,6 +68,7 @@ fn bands_of_the_history_are_those_of_the_spectrum() {
         receivers: vec![y],
         passage_time: Some(1.0),
         bands: bands.clone(),
+        sections: None,
         roughness: None,
     };
     let outcome = study.run(&model, &Silent).unwrap();

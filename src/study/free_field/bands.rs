@@ -86,7 +86,7 @@ impl Energies {
     /// A ground that cannot answer.
     pub fn quasi_static(pass: &Pass, sections: &Sections) -> Result<Self, StudyError> {
         let study = pass.study;
-        let (profile, solver) = pass.model.ground("free_field")?;
+        let (profile, solver) = pass.ground()?;
         let (Some(first), Some(last)) = (study.bands.first(), study.bands.last()) else {
             let nothing = Array2::zeros((study.receivers.len(), 0));
             return Ok(Self { quasi_static: nothing.clone(), dynamic: nothing.clone(), total: nothing });

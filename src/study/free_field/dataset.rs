@@ -22,7 +22,8 @@ impl Answered<'_> {
             .attribute("speed", study.speed)
             .attribute("passage_time", self.pass.passage_time)
             .attribute("direction", "vertical, surface of the ground")
-            .attribute("weighting", "none");
+            .attribute("weighting", "none")
+            .attribute("sections", self.sections);
         let dynamic = match study.roughness.as_ref().map(|r| &r.irregularity) {
             None => "none: smooth rail",
             Some(Irregularity::Random { .. }) => "expected value over all profiles",

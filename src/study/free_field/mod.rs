@@ -23,7 +23,7 @@ use crate::foundation::LayeredSoil;
 use crate::interaction::{ContactForces, Section, Sections, TrackOnFoundation, WheelRail};
 use crate::irregularity::{Realisation, Spectrum};
 use crate::progress::Observer;
-use crate::soil::{Solver, Strip};
+use crate::soil::{Profile, Solver, Strip};
 use crate::vehicle::{Multibody, Train};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -114,6 +114,9 @@ pub struct FreeField {
     pub bands: Vec<Band>,
     /// None: the quasi-static part alone.
     pub roughness: Option<Roughness>,
+    /// What answers for the ground across the track, many β and receivers at one ω; None: the solver of the model. Modes do that in
+    /// closed form, solvers without them by quadrature, which takes ten times as long far from the track.
+    pub sections: Option<Solver>,
 }
 
 /// What the parts of the study share.
@@ -146,6 +149,7 @@ impl FreeField {
         // each β along ω̃ − βv has its own ω
         let soil = LayeredSoil::new(profile.clone(), pointwise(solver), strip)?;
         let track = TrackOnFoundation::new(model.stack(), &soil, 0.0);
+        let solver = pass.ground()?.1;
         let quasi_static = pass.quasi_static(&track, times, observer)?;
         converged &= quasi_static.converged;
         let sections = pass.sections(times, observer)?;
@@ -183,7 +187,16 @@ impl FreeField {
             };
         }
         let metrics = metrics::Metrics::of(&histories, times)?;
-        let answer = Answered { pass: &pass, energies, quasi_static, histories, times, metrics, driven };
+        let answer = Answered {
+            pass: &pass,
+            energies,
+            quasi_static,
+            histories,
+            times,
+            metrics,
+            driven,
+            sections: solver.name(),
+        };
         let mut concerns = self.concerns(model);
         concerns.extend(answer.concerns());
         if !converged {
@@ -253,12 +266,14 @@ struct Answered<'a> {
     times: passes::Times,
     metrics: metrics::Metrics,
     driven: Vec<Driven>,
+    /// Name of the solver that answered across the track.
+    sections: &'static str,
 }
 
 impl Pass<'_> {
     /// Sections of the ground from the lowest frequency of the histories to the upper end of the bands.
     fn sections(&self, times: passes::Times, observer: &dyn Observer) -> Result<Sections, StudyError> {
-        let (profile, solver) = self.model.ground("free_field")?;
+        let (profile, solver) = self.ground()?;
         let bands = &self.study.bands;
         let lowest = bands.iter().map(|b| b.lower()).fold(1.0 / times.period(), f64::min);
         let highest = bands.iter().map(|b| b.upper()).fold(0.0, f64::max);
@@ -275,6 +290,12 @@ impl Pass<'_> {
         let sections = Sections::new(range, &self.study.receivers, 1.0 / slowest, section);
         observer.end();
         sections
+    }
+
+    /// The ground and what answers for it across the track.
+    fn ground(&self) -> Result<(&Profile, Solver), StudyError> {
+        let (profile, solver) = self.model.ground("free_field")?;
+        Ok((profile, self.study.sections.unwrap_or(solver)))
     }
 
     /// Σ_i p_i e^{−iωa_i/v} for ω = `omega`.

@@ -267,12 +267,11 @@ impl Answered<'_> {
             for guide in quantities.iter().flat_map(|q| guide_values(*q)) {
                 let name = format!("{}: {}", guide.standard.split(':').next().unwrap_or(""), guide.name);
                 notes.push(format!("{}, {}: {} ({})", guide.standard, guide.name, guide.value, guide.note));
-                // one line for those that coincide
-                match picture
-                    .series
-                    .iter_mut()
-                    .find(|s| s.y == [guide.value; 2] && s.stroke == Stroke::Dashed)
-                {
+                // one line for those that coincide, as far as a legend is wide
+                let same = |s: &&mut Series| {
+                    s.stroke == Stroke::Dashed && s.y == [guide.value; 2] && s.name.len() + name.len() < 90
+                };
+                match picture.series.iter_mut().find(same) {
                     Some(line) => line.name = format!("{}; {name}", line.name),
                     None => picture.series.push(Series {
                         name,
@@ -373,7 +372,9 @@ impl FreeField {
             ));
         }
         let (low, high) = (self.speed / longest, self.speed / shortest);
-        if let (Some(first), Some(last)) = (self.bands.first(), self.bands.last())
+        // a given profile drives what it drives
+        if matches!(roughness.irregularity, Irregularity::Random { .. })
+            && let (Some(first), Some(last)) = (self.bands.first(), self.bands.last())
             && (first.lower() < low || last.upper() > high)
         {
             concerns.push(Concern::new(
