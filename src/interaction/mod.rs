@@ -8,6 +8,7 @@ mod harmonic_load;
 mod moving_load;
 mod passage;
 mod section;
+mod standing_field;
 mod wheel_rail;
 
 pub use contact_forces::ContactForces;
@@ -18,4 +19,5 @@ pub use harmonic_load::HarmonicLoad;
 pub use moving_load::{InteractionError, MovingLoad, MovingSpectrum, Shape, TrackOnFoundation};
 pub use passage::Passage;
 pub use section::{Section, transfer};
+pub use standing_field::StandingField;
 pub use wheel_rail::{COUPLED, WheelRail};

@@ -9,6 +9,7 @@ mod free_field;
 mod free_field_shown;
 mod model;
 mod receptance;
+mod receptance_map;
 mod surface_compliance;
 mod track_response;
 
@@ -20,6 +21,7 @@ pub use equivalent_stiffness::EquivalentStiffness;
 pub use free_field::{FreeField, Roughness};
 pub use model::{Contact, Model, Support};
 pub use receptance::Receptance;
+pub use receptance_map::ReceptanceMap;
 pub use surface_compliance::SurfaceComplianceTable;
 pub use track_response::{Record, TrackResponse, same_speed, tag};
 
@@ -145,6 +147,9 @@ impl Study {
                 if !study.receivers.is_empty() {
                     model.receivers(&study.receivers)?;
                 }
+                if let Some(map) = &study.map {
+                    map.check(model)?;
+                }
                 // a standing load feels waves of every phase speed
                 model.check_damping(std::iter::once(f64::INFINITY))
             }
@@ -228,10 +233,12 @@ pub enum StudyError {
     PointLoad,
     /// The grid does not fit into memory.
     #[error(
-        "the contour grid of {columns} × {rows} samples needs {needed_gb:.1} GB and the machine has {available_gb:.1} GB free: \
+        "the {what} grid of {columns} × {rows} samples needs {needed_gb:.1} GB and the machine has {available_gb:.1} GB free: \
          use a larger spacing, a smaller window or fewer quantities"
     )]
     Memory {
+        /// The grid of what.
+        what: &'static str,
         /// Samples along x.
         columns: usize,
         /// Samples along y.
