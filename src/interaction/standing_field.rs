@@ -59,6 +59,16 @@ impl Mirrored {
     }
 }
 
+/// How far h reaches in β.
+struct Reach {
+    /// The wavenumber beyond which the nearest row is negligible, or the last one looked at [rad/m].
+    top: f64,
+    /// ∫ |h| dβ of the nearest row beyond it.
+    rest: f64,
+    /// The largest |h| of the nearest and of the farthest row.
+    largest: [f64; 2],
+}
+
 /// The ground under the track at one ω.
 struct Transfer<'a> {
     track: &'a TrackOnFoundation<'a>,
@@ -97,9 +107,8 @@ impl Transfer<'_> {
         sinc(beta * self.track.half_length)
     }
 
-    /// The wavenumber beyond which ∫ |h| dβ ≈ |h|β/3 of the nearest row is negligible, and the largest |h| of the nearest and of
-    /// the farthest row below it.
-    fn reach(&self, y: &[f64; 2]) -> (f64, [f64; 2]) {
+    /// Where the integral over β may end, for the nearest and the farthest row.
+    fn reach(&self, y: &[f64; 2]) -> Reach {
         const STEPS: u32 = 12;
         let a = self.track.half_length;
         // of a load spread over 2a sixty radians leave 1/60² of the integral, as in the rail's
@@ -122,9 +131,11 @@ impl Transfer<'_> {
             let next = 1.3 * top + 0.2;
             let (last, sum) = size(next, next - top);
             top = next;
-            // waves that cancel leave about a third of ∫ |h| dβ
-            if last * top / 3.0 < 0.1 * ACCURACY * sum || top > enough {
-                return (top, largest);
+            // ∫ |h| dβ ≈ |h|β/3 of what falls like β⁻⁴, |h|/a of what changes its sign with sinc βa
+            let rest = last * if a > 0.0 { (top / 3.0).min(1.0 / a) } else { top / 3.0 };
+            // waves that cancel leave less than the sum of |h|
+            if rest < 0.1 * ACCURACY * sum || top > enough {
+                return Reach { top, rest, largest };
             }
         }
     }
@@ -154,7 +165,7 @@ impl TrackOnFoundation<'_> {
         let slowest = waves.last().copied().unwrap_or(0.0);
         let transfer = Transfer { track: self, ground, strip, omega, slowest };
 
-        let (top, [near, far]) = transfer.reach(&y_ends);
+        let Reach { top, rest, largest: [near, far] } = transfer.reach(&y_ends);
         let far = far.max(LEAST_SHARE * near);
         let mut points = vec![0.0];
         points.extend(waves.iter().copied().filter(|k| *k > 0.0 && *k < 0.999 * top));
@@ -211,7 +222,7 @@ impl TrackOnFoundation<'_> {
             Array2::from_shape_fn((y.len(), x.len()), |(j, i)| columns[along.places[i]][across.places[j]]);
         let largest = values.iter().map(|u| u.norm()).fold(0.0, f64::max);
         let within: f64 = rows.iter().map(|row| row.1).sum();
-        let error = (estimate.error * near.max(far) / PI + within) / largest;
+        let error = ((estimate.error * near.max(far) + rest) / PI + within) / largest;
         if error.is_nan() || error > 1e-2 {
             return Err(InteractionError::Diverges { speed: 0.0, error });
         }

@@ -240,7 +240,8 @@ pub fn receiver_quadrature(
 /// The same for many distances `y` [m]: the nodes that serve the nearest and the farthest of them, in one integral of
 /// C = sinc(q b) (cos(q y₁) + i cos(q y₂)), serve all.
 ///
-/// To `relative` of the modulus of that integral: what is small beside it is known less well.
+/// To `relative` of the modulus of that integral: what is small beside it is known less well. `y` is not empty; a line load
+/// has none at 0.
 pub fn receivers_quadrature(
     u_zz: &dyn Fn(f64) -> Complex64,
     outline: &Outline,

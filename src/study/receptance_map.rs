@@ -14,6 +14,11 @@ use std::f64::consts::TAU;
 /// Estimated error of the integrals relative to the largest value above which it is a concern.
 const TOLERABLE: f64 = 1e-3;
 
+/// Share of the area beyond the colours of a picture.
+const OUTSIDE: f64 = 0.01;
+/// Range of levels in a picture [dB]: what is smaller is not known, the error being 1e-4 of the largest value.
+const RANGE: f64 = 80.0;
+
 /// Maps of the ground's surface around the force.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReceptanceMap {
@@ -125,7 +130,7 @@ impl ReceptanceMap {
         let map = |name: &str, what: &str, value_label: &str, values: Array2<f64>, symmetric| {
             Figure::Map(MapFigure {
                 name: format!("receptance_map_{name}_{}", tag(frequency)),
-                title: format!("Ground surface around a standing load, {frequency} Hz, {what}"),
+                title: format!("Ground surface around a standing load at {frequency} Hz: {what}"),
                 x_label: "x [m], along the track".into(),
                 y_label: "y [m]".into(),
                 value_label: value_label.into(),
@@ -137,18 +142,36 @@ impl ReceptanceMap {
                 overlay: Vec::new(),
             })
         };
-        let level = values.mapv(|u| 20.0 * (1e9 * u.norm()).log10());
-        let real = values.mapv(|u| 1e9 * u.re);
+        // nodes are as deep as the spacing finds them, and the force hides the waves: the colours end within both
+        let mut level = values.mapv(|u| 20.0 * (1e9 * u.norm()).log10());
+        let largest = level.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = quantile(level.iter().copied(), OUTSIDE).max(largest - RANGE);
+        level.mapv_inplace(|value| value.max(least));
+        let mut real = values.mapv(|u| 1e9 * u.re);
+        let most = quantile(real.iter().map(|value| value.abs()), 1.0 - OUTSIDE);
+        real.mapv_inplace(|value| value.min(most).max(-most));
+        let percent = 100.0 * OUTSIDE;
         let of = "of the vertical displacement of the ground's surface per unit harmonic force on the rail at the origin";
         [
             (
                 map("modulus", "modulus", "|u_z| [dB re 1 nm/N]", level, false),
-                format!("At {frequency} Hz: modulus {of}, in decibels."),
+                format!(
+                    "At {frequency} Hz: modulus {of}, in decibels; {percent} % of the area, and all that is {RANGE} dB below the largest, has the darkest colour."
+                ),
             ),
             (
                 map("real", "real part", "Re u_z [nm/N], positive down", real, true),
-                format!("At {frequency} Hz: real part {of}, the shape at the moment the force is largest."),
+                format!(
+                    "At {frequency} Hz: real part {of}, the shape at the moment the force is largest; {percent} % of the area lies beyond the colours."
+                ),
             ),
         ]
     }
+}
+
+/// The value below which `share` of the `values` lie.
+fn quantile(values: impl Iterator<Item = f64>, share: f64) -> f64 {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values[(share * (values.len() - 1) as f64).round() as usize]
 }

@@ -62,7 +62,7 @@ fn line_abreast_of_the_load_is_the_receptance() {
             worst = worst.max((values[(*row, 40)] - wanted).norm() / largest(&values));
         }
         println!("{name}, {frequency} Hz: {worst:.1e}");
-        // measured: 1.0e-6 and less, stated: 2e-5; both integrals promise 1e-4
+        // measured 1.2e-5 and 7.5e-6, stated 4.9e-5 and 2.4e-5; both integrals promise 1e-4
         assert!(worst < 1e-4 && error < 1e-4, "{name}: {worst:e} {error:e}");
         for ((row, column), value) in values.indexed_iter() {
             // one value stands for all four: nothing may differ
@@ -74,8 +74,7 @@ fn line_abreast_of_the_load_is_the_receptance() {
 
 /// (1/π²) ΣΣ over β and q of h, with 1/k_eq by the same sum: no table, no adaptive step, nothing of the strip's code.
 fn by_plain_sums(name: &str, profile: &Profile, omega: f64, points: &[(f64, f64)]) -> Vec<Complex64> {
-    // against poles 0.03 k from the axis, e^{−2π·0.03 k/step} with k ≈ 1 rad/m, and 500 m between images; what lies beyond
-    // the ends is at most 1e-4 of the largest value
+    // against poles 0.03 k from the axis, e^{−2π·0.03 k/step} with k ≈ 1 rad/m, and 500 m between images
     let (step, beta_end, q_end) = (0.0125, 16.0, 30.0);
     let ground = DirectStiffness.prepare(profile, omega, &[]).unwrap();
     let (stack, _) = tracks::named(name);
@@ -115,8 +114,10 @@ fn points_by_plain_sums() {
             let error = (got - wanted).norm();
             let (of_largest, of_itself) = (error / largest(&values), error / wanted.norm());
             println!("{name} ({x}, {y}): {of_largest:.1e} of the largest, {of_itself:.1e} of itself");
-            // measured:
-            assert!(of_largest < 1e-3, "{name} ({x}, {y}): {got} {wanted}");
+            // measured: 4.8e-4 under the load, elsewhere 9e-5 of the largest and 4e-4 of itself, being the end of the sums: with
+            // q to 120 rad/m they are 4.2e-5, 2.1e-6 and 1.3e-5
+            let bound = if *y == 0.0 { 1e-3 } else { 2e-4 };
+            assert!(of_largest < bound && of_itself < 1e-3, "{name} ({x}, {y}): {got} {wanted}");
         }
     }
 }
@@ -136,8 +137,8 @@ fn thin_layers_and_light_damping() {
         let worst = largest(&(&exact - &thin)) / largest(&exact);
         let far = exact[(30, 50)].norm() / largest(&exact);
         println!("{frequency} Hz: {worst:.1e}, stated {error:.1e}; the corner has {far:.1e} of the largest");
-        // measured:
-        assert!(worst < 1e-4 && error < 1e-4, "{frequency} Hz: {worst:e} {error:e}");
+        // measured 5.8e-7, 1.1e-6 and 3.2e-6, stated at most 4.3e-5
+        assert!(worst < 1e-5 && error < 1e-4, "{frequency} Hz: {worst:e} {error:e}");
     }
 }
 
@@ -154,8 +155,28 @@ fn parts_of_a_map_are_the_map() {
             let error = (part[(j, i)] - whole[(row, column)]).norm();
             let (of_largest, of_part) = (error / largest(&whole), error / largest(&part));
             println!("({}, {}): {of_largest:.1e}, {of_part:.1e} of the part", x[column], y[row]);
-            // measured:
-            assert!(of_largest < 1e-5 && of_part < 1e-3, "{of_largest:e} {of_part:e}");
+            // measured: 8e-10 and 4e-8; both are known to 1e-4 of their own largest
+            assert!(of_largest < 1e-7 && of_part < 1e-5, "{of_largest:e} {of_part:e}");
+        }
+    }
+}
+
+/// Many receivers by one quadrature against each by its own, of a strip and of a line.
+#[test]
+fn many_receivers_are_each_receiver() {
+    let ground = DirectStiffness.prepare(&named("stiff_over_soft"), TAU * 25.0, &[]).unwrap();
+    let y = [0.3, 1.25, 1.3, 4.0, 11.0, 30.0];
+    for half_width in [B, 0.0] {
+        for beta in [0.01, 0.8, 1.1, 4.0] {
+            let together = ground.receivers(beta, half_width, &y, 1e-6);
+            let alone = y.map(|y| ground.receiver(beta, half_width, y, 1e-6).value);
+            let largest = alone.iter().map(|r| r.norm()).fold(0.0, f64::max);
+            for ((y, all), one) in y.iter().zip(together).zip(alone) {
+                let error = (all.value - one).norm() / largest;
+                println!("b = {half_width} m, β = {beta} rad/m, y = {y} m: {error:.1e}");
+                // measured at most 1.1e-7; both promise 1e-6
+                assert!(all.converged && error < 1e-6, "{half_width} {beta} {y}: {error:e}");
+            }
         }
     }
 }
