@@ -500,6 +500,44 @@ fn questions() -> String {
 }
 
 #[test]
+fn a_receptance_map_is_written_and_its_faults_are_named() {
+    let asked = "[track_response]\nspeeds = [50.0, \"250 km/h\"]";
+    let map = "[receptance]\nfrequencies = [20.0]\n[receptance.map]\nfrequencies = [12.5]\n\
+               x = { from = -10.0, to = 10.0 }\ny = { from = 0.0, to = 6.0 }\nspacing = 1.0\n";
+    let (folder, _) = folder_with(&CASE.replace(asked, map));
+    let output = groundwave(&["run", "case.toml", "--out", "out"], folder.path());
+    assert_eq!(code(&output), 0, "{}", err(&output));
+    let out = folder.path().join("out");
+    for picture in ["modulus", "real"] {
+        let file = out.join(format!("receptance_map_{picture}_12.5.png"));
+        assert!(file.metadata().unwrap().len() > 1000, "{picture}");
+    }
+    let table = std::fs::read_to_string(out.join("receptance_map_frequency_y_x.csv")).unwrap();
+    let rows: Vec<&str> = table.lines().filter(|line| !line.starts_with('#')).collect();
+    assert_eq!(rows[0], "map_frequency [Hz],y [m],x [m],map_re [m N-1],map_im [m N-1]");
+    assert_eq!(rows.len(), 1 + 7 * 21);
+    assert!(std::fs::read_to_string(out.join("summary.json")).unwrap().contains("max_map_12.5"));
+    let mut faults = Vec::new();
+    for (from, to, says) in [
+        ("[12.5]", "[0.0]", vec!["case.toml:", "receptance.map.frequencies[0]", "found 0 Hz", "above zero"]),
+        ("[12.5]", "[12.5, 12.4]", vec!["receptance.map.frequencies[1]", "12.4 follows 12.5", "ascend"]),
+        ("[12.5]", "[12.5, 12.501]", vec!["receptance.map.frequencies[1]", "twice, to 0.01 Hz"]),
+        ("to = 10.0", "to = -10.0", vec!["receptance.map.x", "`to` must lie above `from`"]),
+        ("to = 6.0", "to = 6e6", vec!["receptance.map.y", "farther than 10000 m"]),
+        ("spacing = 1.0", "spacing = 0.0", vec!["receptance.map.spacing", "found 0 m", "above zero"]),
+        ("spacing = 1.0", "spacing = 8.0", vec!["receptance.map.spacing", "wider than the window of 6 m"]),
+        ("spacing = 1.0", "spacing = 1e-9", vec!["receptance", "map grid", "GB", "larger spacing"]),
+        ("spacing = 1.0", "spacng = 1.0", vec!["spacng", "did you mean `spacing`?"]),
+        ("spacing = 1.0", "", vec!["receptance.map", "missing key `spacing`"]),
+    ] {
+        if let Err(fault) = refused(asked, &map.replace(from, to), &says) {
+            faults.push(format!("{to}: {fault}"));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
 fn a_second_solver_verifies() {
     let case = questions().replace("solver.kind = \"direct-stiffness\"", "solver.verify = \"flexibility\"");
     let (folder, _) = folder_with(&case);

@@ -551,6 +551,22 @@ pub struct ReceptanceInput {
     /// Distances from the centre line of the track [m]; none by default.
     #[serde(default)]
     pub receivers: Vec<f64>,
+    /// The ground's surface around the force; none by default.
+    pub map: Option<ReceptanceMapInput>,
+}
+
+/// `[receptance.map]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ReceptanceMapInput {
+    /// f [Hz], above zero, ascending: a map each.
+    pub frequencies: Range<f64>,
+    /// x [m], along the track from the force.
+    pub x: SpanInput,
+    /// y [m], from the centre line of the track.
+    pub y: SpanInput,
+    /// [m]
+    pub spacing: f64,
 }
 
 /// `train.wheel_rail`

@@ -3,8 +3,8 @@
 use super::error::Finding;
 use super::irregularity;
 use super::schema::{
-    CaseInput, ContourInput, DispersionInput, FreeFieldInput, MeasuredInput, QuantityInput, SoilInput,
-    SpanInput, TrackResponseInput, WaveInput,
+    CaseInput, ContourInput, DispersionInput, FreeFieldInput, MeasuredInput, QuantityInput, ReceptanceInput,
+    SoilInput, SpanInput, TrackResponseInput, WaveInput,
 };
 use super::train::Wheels;
 use super::values::{Named, Range, Speed};
@@ -13,8 +13,8 @@ use crate::interaction::{Quantity, Window};
 use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, ThinLayer};
 use crate::study::{
-    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Receptance, Record, Roughness, Study,
-    SurfaceComplianceTable, TrackResponse, same_speed, tag,
+    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Receptance, ReceptanceMap, Record,
+    Roughness, Study, SurfaceComplianceTable, TrackResponse, same_speed, tag,
 };
 
 /// Farthest position a study may ask for [m].
@@ -88,15 +88,15 @@ fn speeds(range: &Range<Speed>, path: &str) -> Result<Vec<f64>, Finding> {
     numbers(&plain(range), path, "m/s", NOT_NEGATIVE)
 }
 
-/// Refuses speeds that files and keys, which name them to 0.01 m/s, could not tell apart.
-fn distinct(values: &[f64], path: &str) -> Result<(), Finding> {
+/// Refuses speeds or frequencies that files and keys, which name them to 0.01 `unit`, could not tell apart.
+fn distinct(values: &[f64], path: &str, unit: &str) -> Result<(), Finding> {
     for (i, value) in values.iter().enumerate() {
         if values[..i].iter().any(|other| tag(*other) == tag(*value)) {
             return Err(Finding::new(
                 format!("{path}[{i}]"),
-                format!("{value} m/s stands there twice, to 0.01 m/s"),
+                format!("{value} {unit} stands there twice, to 0.01 {unit}"),
             )
-            .help("give each speed once"));
+            .help("give each value once"));
         }
     }
     Ok(())
@@ -197,7 +197,7 @@ fn track_response(
         return Err(Finding::new("track_response.spacing", found).help("use a larger spacing"));
     }
     let speeds = speeds(&input.speeds, "track_response.speeds")?;
-    distinct(&speeds, "track_response.speeds")?;
+    distinct(&speeds, "track_response.speeds", "m/s")?;
     for (i, measured) in input.measured.iter().enumerate() {
         if !speeds.iter().any(|v| same_speed(*v, measured.speed.0)) {
             let message =
@@ -207,6 +207,19 @@ fn track_response(
         }
     }
     Ok(TrackResponse { speeds, x, spacing, records })
+}
+
+/// The part of the surface to map, of the study `path`.
+fn window(x: SpanInput, y: SpanInput, spacing: f64, path: &str) -> Result<Window, Finding> {
+    let (x, y) = (span(x, &format!("{path}.x"))?, span(y, &format!("{path}.y"))?);
+    let path = format!("{path}.spacing");
+    let spacing = positive(spacing, &path, "m")?;
+    let least = (x.1 - x.0).min(y.1 - y.0);
+    if spacing > least {
+        let message = format!("spacing is {spacing} m, wider than the window of {least} m");
+        return Err(Finding::new(path, message).help("a map has two points each way at least"));
+    }
+    Ok(Window { x, y, spacing })
 }
 
 fn contour(input: &ContourInput) -> Result<Contour, Finding> {
@@ -227,18 +240,14 @@ fn contour(input: &ContourInput) -> Result<Contour, Finding> {
             .collect(),
     };
     let speeds = speeds(&input.speeds, "contour.speeds")?;
-    distinct(&speeds, "contour.speeds")?;
+    distinct(&speeds, "contour.speeds", "m/s")?;
     if let Some(clearance) = input.clearance.filter(|c| *c < LEAST_CLEARANCE) {
         let message = format!("clearance is {clearance} m: it must be at least {LEAST_CLEARANCE} m");
         return Err(Finding::new("contour.clearance", message));
     }
     Ok(Contour {
         speeds,
-        window: Window {
-            x: span(input.x, "contour.x")?,
-            y: span(input.y, "contour.y")?,
-            spacing: positive(input.spacing, "contour.spacing", "m")?,
-        },
+        window: window(input.x, input.y, input.spacing, "contour")?,
         quantities,
         clearance: input.clearance.map(|c| positive(c, "contour.clearance", "m")).transpose()?,
     })
@@ -279,6 +288,21 @@ fn receivers(values: &[f64], path: &str) -> Result<Vec<f64>, Finding> {
         }
         None => Ok(values),
     }
+}
+
+fn receptance(input: &ReceptanceInput) -> Result<Receptance, Finding> {
+    let frequencies = numbers(&input.frequencies, "receptance.frequencies", "Hz", POSITIVE)?;
+    ascending(&frequencies, "receptance.frequencies")?;
+    let receivers = receivers(&input.receivers, "receptance.receivers")?;
+    let map = input.map.as_ref().map(|map| {
+        let path = "receptance.map.frequencies";
+        let frequencies = numbers(&map.frequencies, path, "Hz", POSITIVE)?;
+        ascending(&frequencies, path)?;
+        distinct(&frequencies, path, "Hz")?;
+        let window = window(map.x, map.y, map.spacing, "receptance.map")?;
+        Ok(ReceptanceMap { frequencies, window })
+    });
+    Ok(Receptance { frequencies, receivers, map: map.transpose()? })
 }
 
 /// Slowest train whose vibration is worth asking for [m/s].
@@ -364,10 +388,7 @@ pub fn studies(
         studies.push(Study::Contour(contour(study)?));
     }
     if let Some(study) = &input.receptance {
-        let frequencies = numbers(&study.frequencies, "receptance.frequencies", "Hz", POSITIVE)?;
-        ascending(&frequencies, "receptance.frequencies")?;
-        let receivers = receivers(&study.receivers, "receptance.receivers")?;
-        studies.push(Study::Receptance(Receptance { frequencies, receivers }));
+        studies.push(Study::Receptance(receptance(study)?));
     }
     if let Some(study) = &input.free_field {
         studies.push(Study::FreeField(Box::new(free_field(study, input, wheels, files)?)));

@@ -9,6 +9,7 @@ mod moving_load;
 mod passage;
 mod section;
 mod sections;
+mod standing_field;
 mod wheel_rail;
 
 pub use contact_forces::ContactForces;
@@ -20,4 +21,5 @@ pub use moving_load::{InteractionError, MovingLoad, MovingSpectrum, Shape, Track
 pub use passage::Passage;
 pub use section::{Section, transfer};
 pub use sections::{Between, Sections};
+pub use standing_field::StandingField;
 pub use wheel_rail::{COUPLED, WheelRail};

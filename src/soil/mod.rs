@@ -83,6 +83,12 @@ pub trait PreparedGround: Send + Sync {
         strip::receiver_quadrature(&|k| self.u_zz(k), self.outline(), beta, half_width, y, relative)
     }
 
+    /// The same at many distances `y` [m] at once, to `relative` of the largest. By one quadrature for all unless the solver
+    /// knows better.
+    fn receivers(&self, beta: f64, half_width: f64, y: &[f64], relative: f64) -> Vec<Estimate> {
+        strip::receivers_quadrature(&|k| self.u_zz(k), self.outline(), beta, half_width, y, relative)
+    }
+
     /// Wave modes: wavenumbers √κ_j and residues of G_zz = Σ r_j/(k² − κ_j), for solvers that have them.
     ///
     /// # Errors

@@ -10,6 +10,7 @@
 
 use super::{Profile, half_space};
 use crate::math::bessel::modified_bessel;
+use crate::math::complex::I;
 use crate::math::quadrature::{Adaptive, Estimate, Tolerance};
 use num_complex::Complex64;
 use std::f64::consts::PI;
@@ -155,16 +156,35 @@ fn breakpoints(outline: &Outline, beta: f64, top: f64) -> Vec<f64> {
 
 /// What of C(q) the quadrature must know.
 struct Kernel<'a> {
-    /// C(q)
-    value: &'a dyn Fn(f64) -> f64,
+    /// g C(q) of q and g
+    times: &'a dyn Fn(f64, Complex64) -> Complex64,
     /// Bound of |C| for large q.
     envelope: &'a dyn Fn(f64) -> f64,
     /// Shortest period of C [rad/m].
     period: f64,
     /// κ₀ of the tail [rad/m].
     kappa0: f64,
-    /// Integrals of the tail's two terms, given β_c.
-    tail: &'a dyn Fn(f64) -> (f64, f64),
+    /// Integral of the tail over (1/π)∫₀^∞ … C(q) dq, given β_c and the tail's coefficients (A, B).
+    tail: &'a dyn Fn(f64, (Complex64, Complex64)) -> Complex64,
+}
+
+/// The tail A/κ + B/κ³, κ² = k² + κ₀², whose integrals are known: (A, B).
+///
+/// A/k + C/k³ = A/κ + (C + A κ₀²/2)/κ³ + O(k⁻⁵)
+fn tail(outline: &Outline, kappa0: f64) -> (Complex64, Complex64) {
+    let (a, c) = outline.tail;
+    (a, c + 0.5 * a * kappa0 * kappa0)
+}
+
+/// A/κ + B/κ³ at k.
+fn tail_at((a, third): (Complex64, Complex64), kappa0: f64, k: f64) -> Complex64 {
+    let kappa2 = k * k + kappa0 * kappa0;
+    (a + third / kappa2) / kappa2.sqrt()
+}
+
+/// The tail's integral from those of its two terms.
+fn known(tail: (Complex64, Complex64), integrals: (f64, f64)) -> Complex64 {
+    tail.0 * integrals.0 + tail.1 * integrals.1
 }
 
 /// 1/k_eq(β, ω) [m²/N] for ground whose G_zz is `u_zz`, to `relative` of its modulus.
@@ -182,16 +202,16 @@ pub fn quadrature(
 ) -> Estimate {
     let b = strip.half_width;
     let kernel = Kernel {
-        value: &|q| strip.kernel(q),
+        times: &|q, g| g * strip.kernel(q),
         envelope: &|q| match strip.compatibility {
             Compatibility::Centre => 1.0 / (q * b).max(1.0),
             Compatibility::Mean => 1.0 / (q * b).max(1.0).powi(2),
         },
         period: 2.0 * PI / b,
         kappa0: 1.0 / b,
-        tail: &|beta_c| tail_integrals(beta_c, strip),
+        tail: &|beta_c, tail| known(tail, tail_integrals(beta_c, strip)),
     };
-    integral(u_zz, outline, beta, &kernel, relative)
+    integral(u_zz, outline, beta, &kernel, relative).0
 }
 
 /// Displacement [m²/N] of the surface at distance `y` [m] from the centre line of a strip of half-width `half_width` [m]
@@ -208,38 +228,78 @@ pub fn receiver_quadrature(
 ) -> Estimate {
     let (b, y) = (half_width, y.abs());
     let kernel = Kernel {
-        value: &|q| sinc(q * b) * (q * y).cos(),
+        times: &|q, g| g * (sinc(q * b) * (q * y).cos()),
         envelope: &|q| 1.0 / (q * b).max(1.0),
         period: 2.0 * PI / (b + y),
         kappa0: if b > 0.0 { 1.0 / b } else { 1.0 / y },
-        tail: &|beta_c| receiver_tail_integrals(beta_c, b, y),
+        tail: &|beta_c, tail| known(tail, receiver_tail_integrals(beta_c, b, y)),
     };
-    integral(u_zz, outline, beta, &kernel, relative)
+    integral(u_zz, outline, beta, &kernel, relative).0
 }
 
-/// (1/π) ∫₀^∞ G(√(β² + q²)) C(q) dq
+/// The same for many distances `y` [m]: the nodes that serve the nearest and the farthest of them, in one integral of
+/// C = sinc(q b) (cos(q y₁) + i cos(q y₂)), serve all.
+///
+/// To `relative` of the modulus of that integral: what is small beside it is known less well. `y` is not empty; a line load
+/// has none at 0.
+pub fn receivers_quadrature(
+    u_zz: &dyn Fn(f64) -> Complex64,
+    outline: &Outline,
+    beta: f64,
+    half_width: f64,
+    y: &[f64],
+    relative: f64,
+) -> Vec<Estimate> {
+    let (beta, b) = (beta.abs(), half_width);
+    let near = y.iter().map(|y| y.abs()).fold(f64::INFINITY, f64::min);
+    let far = y.iter().map(|y| y.abs()).fold(0.0, f64::max);
+    let kernel = Kernel {
+        times: &|q, g| g * Complex64::new((q * near).cos(), (q * far).cos()) * sinc(q * b),
+        envelope: &|q| 1.0 / (q * b).max(1.0),
+        period: 2.0 * PI / (b + far),
+        kappa0: if b > 0.0 { 1.0 / b } else { 1.0 / near },
+        tail: &|beta_c, tail| {
+            let at = |y: f64| known(tail, receiver_tail_integrals(beta_c, b, y));
+            at(near) + I * at(far)
+        },
+    };
+    let (estimate, integral) = integral(u_zz, outline, beta, &kernel, relative);
+    let kappa0 = kernel.kappa0;
+    let coefficients = tail(outline, kappa0);
+    let mut nodes = Vec::new();
+    for panel in integral.into_panels() {
+        for (q, w) in panel.x.into_iter().zip(panel.w) {
+            let k = beta.hypot(q);
+            nodes.push((q, (u_zz(k) - tail_at(coefficients, kappa0, k)) * (sinc(q * b) * w / PI)));
+        }
+    }
+    let beta_c = beta.hypot(kappa0);
+    y.iter()
+        .map(|y| {
+            let sum: Complex64 = nodes.iter().map(|(q, g)| g * (q * y).cos()).sum();
+            let tail = known(coefficients, receiver_tail_integrals(beta_c, b, y.abs()));
+            Estimate { value: sum + tail, ..estimate }
+        })
+        .collect()
+}
+
+/// (1/π) ∫₀^∞ G(√(β² + q²)) C(q) dq, and the part of it that was integrated.
 fn integral(
     u_zz: &dyn Fn(f64) -> Complex64,
     outline: &Outline,
     beta: f64,
     kernel: &Kernel,
     relative: f64,
-) -> Estimate {
+) -> (Estimate, Adaptive) {
     let beta = beta.abs();
     let kappa0 = kernel.kappa0;
-    let (a, c) = outline.tail;
-    // A/k + C/k³ = A/κ + (C + A κ₀²/2)/κ³ + O(k⁻⁵), κ² = k² + κ₀²
-    let third = c + 0.5 * a * kappa0 * kappa0;
-    let tail = |k: f64| {
-        let kappa2 = k * k + kappa0 * kappa0;
-        (a + third / kappa2) / kappa2.sqrt()
-    };
+    let coefficients = tail(outline, kappa0);
+    let tail = |k: f64| tail_at(coefficients, kappa0, k);
     let mut integrand = |y: f64| {
         let k = (beta * beta + y * y).sqrt();
-        (u_zz(k) - tail(k)) * (kernel.value)(y)
+        (kernel.times)(y, u_zz(k) - tail(k))
     };
-    let (first_integral, third_integral) = (kernel.tail)((beta * beta + kappa0 * kappa0).sqrt());
-    let known = (a * first_integral + third * third_integral) * PI;
+    let known = (kernel.tail)((beta * beta + kappa0 * kappa0).sqrt(), coefficients) * PI;
 
     let highest = outline.wavenumbers.last().copied().unwrap_or(0.0);
     let mut top = (2.0 * highest).max(2.0 * beta).max(4.0 * kappa0);
@@ -297,12 +357,13 @@ fn integral(
     }
     let value = (estimate.value + known) / PI;
     let error = (estimate.error + cut) / PI;
-    Estimate {
+    let estimate = Estimate {
         value,
         error,
         count: estimate.count,
         converged: estimate.converged && value.is_finite() && error <= 1.01 * relative * value.norm(),
-    }
+    };
+    (estimate, integral)
 }
 
 #[cfg(test)]

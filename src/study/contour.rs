@@ -38,6 +38,22 @@ fn fading_distance(profile: &Profile, k: f64) -> f64 {
     (14.0 / (eta * k)).clamp(100.0, 600.0)
 }
 
+/// Refuses a grid, of `what` with `columns` × `rows` samples, that needs more than the free memory [bytes].
+pub(super) fn check_memory(
+    what: &'static str,
+    (columns, rows): (usize, usize),
+    needed: u64,
+) -> Result<(), StudyError> {
+    let mut system = sysinfo::System::new();
+    system.refresh_memory();
+    let available = system.available_memory();
+    if needed > available {
+        let [needed_gb, available_gb] = [needed, available].map(|bytes| bytes as f64 / 1e9);
+        return Err(StudyError::Memory { what, columns, rows, needed_gb, available_gb });
+    }
+    Ok(())
+}
+
 impl Contour {
     /// Refuses a point in a window without extent and grids beyond the free memory.
     ///
@@ -62,19 +78,8 @@ impl Contour {
 
     fn check_memory(&self, field: &GroundField, clearance: f64) -> Result<(), StudyError> {
         let grid = field.grid(&self.window, clearance);
-        let needed = grid.bytes(self.quantities.len());
-        let mut system = sysinfo::System::new();
-        system.refresh_memory();
-        let available = system.available_memory();
-        if needed > available {
-            return Err(StudyError::Memory {
-                columns: grid.x.period_count,
-                rows: grid.y.period_count,
-                needed_gb: needed as f64 / 1e9,
-                available_gb: available as f64 / 1e9,
-            });
-        }
-        Ok(())
+        let samples = (grid.x.period_count, grid.y.period_count);
+        check_memory("contour", samples, grid.bytes(self.quantities.len()))
     }
 
     /// Fields of all speeds in the moving frame.

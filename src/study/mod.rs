@@ -8,6 +8,7 @@ mod equivalent_stiffness;
 mod free_field;
 mod model;
 mod receptance;
+mod receptance_map;
 mod surface_compliance;
 mod track_response;
 
@@ -19,6 +20,7 @@ pub use equivalent_stiffness::EquivalentStiffness;
 pub use free_field::{FreeField, Irregularity, Roughness};
 pub use model::{Contact, Model, Support};
 pub use receptance::Receptance;
+pub use receptance_map::ReceptanceMap;
 pub use surface_compliance::SurfaceComplianceTable;
 pub use track_response::{Record, TrackResponse, same_speed, tag};
 
@@ -144,6 +146,9 @@ impl Study {
                 if !study.receivers.is_empty() {
                     model.receivers(&study.receivers)?;
                 }
+                if let Some(map) = &study.map {
+                    map.check(model)?;
+                }
                 // a standing load feels waves of every phase speed
                 model.check_damping(std::iter::once(f64::INFINITY))
             }
@@ -233,10 +238,12 @@ pub enum StudyError {
     PointLoad,
     /// The grid does not fit into memory.
     #[error(
-        "the contour grid of {columns} × {rows} samples needs {needed_gb:.1} GB and the machine has {available_gb:.1} GB free: \
+        "the {what} grid of {columns} × {rows} samples needs {needed_gb:.1} GB and the machine has {available_gb:.1} GB free: \
          use a larger spacing, a smaller window or fewer quantities"
     )]
     Memory {
+        /// The grid of what.
+        what: &'static str,
         /// Samples along x.
         columns: usize,
         /// Samples along y.

@@ -1,6 +1,6 @@
 //! How much do rail and ground move under a standing harmonic load?
 
-use super::{Answer, Model, Outcome, StudyError};
+use super::{Answer, Model, Outcome, ReceptanceMap, StudyError};
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
@@ -11,9 +11,9 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Accuracy of G for receivers.
-const GROUND_ACCURACY: f64 = 1e-5;
+pub(super) const GROUND_ACCURACY: f64 = 1e-5;
 /// Wavenumbers thin layers must resolve [rad/m]: what is shorter than the track's width does not reach receivers.
-const K_MAX: f64 = 100.0;
+pub(super) const K_MAX: f64 = 100.0;
 
 /// Receptance of the rail and of the ground beside the track.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +22,8 @@ pub struct Receptance {
     pub frequencies: Vec<f64>,
     /// Distances from the centre line of the track [m]; may be empty.
     pub receivers: Vec<f64>,
+    /// The surface around the force, if wanted.
+    pub map: Option<ReceptanceMap>,
 }
 
 /// Rail, every receiver, whether the accuracy was met.
@@ -31,7 +33,7 @@ impl Receptance {
     /// Displacements of rail and ground per unit force e^{iωt} on the rail [m/N], positive down.
     ///
     /// # Errors
-    /// No track, receivers without layered ground, undamped waves.
+    /// No track, receivers or a map without layered ground, undamped waves.
     pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
         let track = model.track()?;
         let ground = if self.receivers.is_empty() { None } else { Some(model.ground("receptance")?) };
@@ -174,7 +176,11 @@ impl Receptance {
                 "poles lie too close to the real axis (more damping helps), or the track spreads the load too little",
             )
         });
-        Ok(Outcome { group, figures, answers, concerns: concerns.into_iter().collect() })
+        let mut outcome = Outcome { group, figures, answers, concerns: concerns.into_iter().collect() };
+        if let Some(map) = &self.map {
+            map.add(model, observer, &mut outcome)?;
+        }
+        Ok(outcome)
     }
 }
 

@@ -11,5 +11,6 @@ mod k_eq;
 mod light_damping;
 mod passage;
 mod receptance;
+mod standing_field;
 mod surface_compliance;
 mod thin_layer;

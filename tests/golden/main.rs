@@ -15,6 +15,7 @@ const CASES: &[&str] = &[
     "lamprea2022_free_field",
     "lamprea2022_half_space",
     "lamprea2022_receptance_ballasted",
+    "lamprea2022_receptance_map_ballasted",
     "lamprea2022_receptance_slab",
     "lamprea2022_slab",
     "mezher2016_profile3_ballasted",
@@ -44,6 +45,9 @@ fn shrink(study: &mut Study) {
         }
         Study::Receptance(study) => {
             study.frequencies = study.frequencies.iter().copied().step_by(20).collect();
+            if let Some(map) = &mut study.map {
+                map.window.spacing = 2.0;
+            }
         }
         Study::FreeField(study) => study.bands = study.bands[8..12].to_vec(),
         Study::EquivalentStiffness(_) | Study::SurfaceCompliance(_) => {}

@@ -8,6 +8,7 @@ mod dispersion;
 mod lamprea;
 mod ledsgard;
 mod mezher;
+mod standing_load;
 
 use groundwave::dataset::Attribute;
 use groundwave::{Case, Outcome, Silent};
@@ -103,8 +104,15 @@ fn no_case_is_forgotten() {
         })
         .collect();
     found.sort();
-    let mut tested =
-        [application3::CASES, lamprea::CASES, ledsgard::CASES, mezher::CASES, NOTHING_PUBLISHED].concat();
+    let mut tested = [
+        application3::CASES,
+        lamprea::CASES,
+        ledsgard::CASES,
+        mezher::CASES,
+        standing_load::CASES,
+        NOTHING_PUBLISHED,
+    ]
+    .concat();
     tested.sort_unstable();
     assert_eq!(found, tested);
 }

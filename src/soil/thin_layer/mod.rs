@@ -14,7 +14,7 @@ mod modes;
 pub use element::Element;
 
 use super::layer_stiffness::LayerStiffness;
-use super::strip::{Outline, Strip, quadrature, receiver_quadrature};
+use super::strip::{Outline, Strip, quadrature, receiver_quadrature, receivers_quadrature};
 use super::transfer_matrix::surface_compliance;
 use super::wave::Wave;
 use super::{Compliance, GroundSolver, Pole, PreparedGround, Profile, SoilError, SurfaceCompliance, chain};
@@ -358,6 +358,15 @@ impl PreparedGround for ThinLayerAt {
         match self.modes_at(beta.abs()) {
             Some(modes) => self.estimate(modes.receiver(beta, half_width, y), modes),
             None => receiver_quadrature(&|k| self.u_zz(k), &self.outline, beta, half_width, y, relative),
+        }
+    }
+
+    fn receivers(&self, beta: f64, half_width: f64, y: &[f64], relative: f64) -> Vec<Estimate> {
+        match self.modes_at(beta.abs()) {
+            Some(modes) => {
+                y.iter().map(|y| self.estimate(modes.receiver(beta, half_width, *y), modes)).collect()
+            }
+            None => receivers_quadrature(&|k| self.u_zz(k), &self.outline, beta, half_width, y, relative),
         }
     }
 

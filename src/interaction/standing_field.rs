@@ -1,0 +1,247 @@
+//! The ground's surface around a standing harmonic load on the rail.
+//!
+//! ```text
+//! u_z(x, y) = (1/π) ∫₀^∞ h(β, ω; y) cos(βx) dβ,   h = k_eq ũ_base R(β, ω; y)
+//! R(β, ω; y) = (1/π) ∫₀^∞ G_zz(√(β² + q²), ω) sinc(qb) cos(qy) dq
+//! ```
+//!
+//! Both integrals are done by adaptive panels, once for the nearest and the farthest point, fine enough to follow cos(βx) and
+//! cos(qy) everywhere between; the same nodes then serve all points. There is no period, hence no wrap-around however light
+//! the damping. The field is even in x and in y.
+
+use super::{InteractionError, TrackOnFoundation};
+use crate::math::complex::I;
+use crate::math::interpolation::Interpolant;
+use crate::math::quadrature::{Adaptive, Tolerance};
+use crate::soil::strip::sinc;
+use crate::soil::{PreparedGround, Strip};
+use ndarray::Array2;
+use num_complex::Complex64;
+use rayon::prelude::*;
+use std::f64::consts::PI;
+
+/// Wanted error relative to the value abreast of the load, of the nearest row and of the farthest.
+const ACCURACY: f64 = 1e-4;
+/// A load whose spectrum has not faded here [rad/m] stands on nothing that spreads it.
+const BETA_CAP: f64 = 400.0;
+/// Evaluations of the nearest and the farthest row allowed.
+const MAX_COUNT: usize = 200_000;
+/// Far rows of less than this share of the nearest are not followed to ACCURACY of themselves.
+const LEAST_SHARE: f64 = 0.1;
+
+/// u_z around a unit harmonic force at x = 0.
+#[derive(Clone, Debug)]
+pub struct StandingField {
+    /// One value for each (y, x) [m/N], positive down, phases of e^{iωt}.
+    pub values: Array2<Complex64>,
+    /// Estimated error of the integrals relative to the largest value.
+    pub error: f64,
+}
+
+/// Positions that mirror each other need one answer.
+struct Mirrored {
+    /// The different |position|, ascending.
+    distances: Vec<f64>,
+    /// Which of them each position has.
+    places: Vec<usize>,
+}
+
+impl Mirrored {
+    fn new(positions: &[f64]) -> Self {
+        let mut distances: Vec<f64> = positions.iter().map(|p| p.abs()).collect();
+        distances.sort_by(f64::total_cmp);
+        // −20 + 41 × 0.5 is not 0.5 to the last digit
+        let same = 1e-9 * distances.last().copied().unwrap_or(0.0);
+        distances.dedup_by(|a, b| *a - *b <= same);
+        let place = |p: &f64| distances.partition_point(|d| *d < p.abs() - 2.0 * same);
+        let places = positions.iter().map(place).collect();
+        Self { distances, places }
+    }
+}
+
+/// How far h reaches in β.
+struct Reach {
+    /// The wavenumber beyond which the nearest row is negligible, or the last one looked at [rad/m].
+    top: f64,
+    /// ∫ |h| dβ of the nearest row beyond it.
+    rest: f64,
+    /// The largest |h| of the nearest and of the farthest row.
+    largest: [f64; 2],
+}
+
+/// The ground under the track at one ω.
+struct Transfer<'a> {
+    track: &'a TrackOnFoundation<'a>,
+    ground: &'a dyn PreparedGround,
+    strip: Strip,
+    omega: f64,
+    /// Wavenumber of the slowest wave [rad/m].
+    slowest: f64,
+}
+
+impl Transfer<'_> {
+    /// 1/k_eq [m²/N]
+    fn compliance(&self, beta: f64) -> Complex64 {
+        self.ground.strip(beta, self.strip, 0.1 * ACCURACY).value
+    }
+
+    /// h(β; y) for `y`, nearest first, of a load at a point of the rail, and its error.
+    fn at(&self, beta: f64, compliance: Complex64, y: &[f64]) -> (Vec<Complex64>, f64) {
+        let stiffness = 1.0 / compliance;
+        let force = self.track.stack.respond(beta, self.omega, stiffness).base * stiffness;
+        let b = self.strip.half_width;
+        // e^{−√(β² − k²)(y − b)} beside waves of wavenumber k is wanted relative to them, not to itself
+        let rate = (beta * beta - self.slowest * self.slowest).max(0.0).sqrt();
+        let decay = |y: f64| (rate * (y - b).max(0.0)).exp();
+        let relative = (0.03 * ACCURACY * decay(y[0])).min(0.1);
+        let reached = y.partition_point(|y| 0.01 * ACCURACY * decay(*y) < 1.0).max(1);
+        let answers = self.ground.receivers(beta, b, &y[..reached], relative);
+        let error = answers.iter().map(|r| r.error).fold(0.0, f64::max) * force.norm();
+        let mut h: Vec<Complex64> = answers.iter().map(|r| force * r.value).collect();
+        h.resize(y.len(), Complex64::ZERO);
+        (h, error)
+    }
+
+    /// sinc(βa) of a load spread over 2a along the track.
+    fn spread(&self, beta: f64) -> f64 {
+        sinc(beta * self.track.half_length)
+    }
+
+    /// Where the integral over β may end, for the nearest and the farthest row.
+    fn reach(&self, y: &[f64; 2]) -> Reach {
+        const STEPS: u32 = 12;
+        let a = self.track.half_length;
+        // of a load spread over 2a sixty radians leave 1/60² of the integral, as in the rail's
+        let enough = if a > 0.0 { 60.0 / a } else { BETA_CAP };
+        let (mut sum, mut largest) = (0.0, [0.0f64; 2]);
+        let mut size = |beta: f64, width: f64| {
+            let h = self.at(beta, self.compliance(beta), y).0;
+            // the envelope of the load's spectrum, not its zeros
+            let size = [0, 1].map(|row| h[row].norm() / 1f64.hypot(beta * a));
+            largest = [0, 1].map(|row| largest[row].max(size[row]));
+            sum += size[0] * width;
+            (size[0], sum)
+        };
+        let step = self.slowest / f64::from(STEPS);
+        for i in 0..STEPS {
+            size(step * (f64::from(i) + 0.5), step);
+        }
+        let mut top = self.slowest;
+        loop {
+            let next = 1.3 * top + 0.2;
+            let (last, sum) = size(next, next - top);
+            top = next;
+            // ∫ |h| dβ ≈ |h|β/3 of what falls like β⁻⁴, |h|/a of what changes its sign with sinc βa
+            let rest = last * if a > 0.0 { (top / 3.0).min(1.0 / a) } else { top / 3.0 };
+            // waves that cancel leave less than the sum of |h|
+            if rest < 0.1 * ACCURACY * sum || top > enough {
+                return Reach { top, rest, largest };
+            }
+        }
+    }
+}
+
+impl TrackOnFoundation<'_> {
+    /// Displacement of the ground's surface [m/N] at the positions `x` × `y` [m] around a standing unit force e^{iωt} on the rail
+    /// at x = 0, y from the centre line of the track; under the track too. `ground` is prepared at `omega` ≠ 0; neither `x`
+    /// nor `y` is empty.
+    ///
+    /// Accuracy: 1e-4 of the largest value (test `cross_solver::standing_field`). The cost grows with the farthest x times the
+    /// farthest y.
+    ///
+    /// # Errors
+    /// An integral that diverges.
+    pub fn standing_field(
+        &self,
+        omega: f64,
+        ground: &dyn PreparedGround,
+        strip: Strip,
+        (x, y): (&[f64], &[f64]),
+    ) -> Result<StandingField, InteractionError> {
+        let (along, across) = (Mirrored::new(x), Mirrored::new(y));
+        let ends = |all: &[f64]| [all[0], all[all.len() - 1]];
+        let (x_ends, y_ends) = (ends(&along.distances), ends(&across.distances));
+        let waves = &ground.outline().wavenumbers;
+        let slowest = waves.last().copied().unwrap_or(0.0);
+        let transfer = Transfer { track: self, ground, strip, omega, slowest };
+
+        let Reach { top, rest, largest: [near, far] } = transfer.reach(&y_ends);
+        let far = far.max(LEAST_SHARE * near);
+        let mut points = vec![0.0];
+        points.extend(waves.iter().copied().filter(|k| *k > 0.0 && *k < 0.999 * top));
+        points.dedup_by(|a, b| *a - *b < 1e-6 * *a);
+        points.push(top);
+        let compliance = Interpolant::new(
+            |nodes| nodes.map(|beta| transfer.compliance(beta)),
+            &points,
+            |_, value| 0.1 * ACCURACY * value.norm(),
+        );
+        // panels no wider than fifteen nodes can follow cos βx and the phase √(k² − β²) y
+        let widest = 14.0 / (x_ends[1] + y_ends[1]).max(1.0);
+        let mut fine = vec![0.0];
+        for pair in points.windows(2) {
+            let parts = ((pair[1] - pair[0]) / widest).ceil().max(1.0);
+            fine.extend((1..=parts as usize).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / parts));
+        }
+        // two real measures of scale, one complex integrand: neither row hides the other
+        let mut integrand = |beta: f64| {
+            let (h, _) = transfer.at(beta, compliance.at(beta), &y_ends);
+            (h[0] / near + I * h[1] / far) * transfer.spread(beta)
+        };
+        let mut integral = Adaptive::new();
+        integral.add(&mut integrand, &fine);
+        let max_count = MAX_COUNT + 30 * fine.len();
+        let tolerance = Tolerance { relative: 0.5 * ACCURACY, absolute: 0.0, max_count };
+        let estimate = integral.refine(&mut integrand, Complex64::ZERO, tolerance);
+
+        // all rows at every node, times weight/π
+        let nodes: Vec<(f64, f64)> =
+            integral.into_panels().iter().flat_map(|p| p.x.into_iter().zip(p.w)).collect();
+        let rows: Vec<(Vec<Complex64>, f64)> = nodes
+            .par_iter()
+            .map(|&(beta, w)| {
+                let (mut h, error) = transfer.at(beta, compliance.at(beta), &across.distances);
+                let weight = w / PI * transfer.spread(beta);
+                h.iter_mut().for_each(|h| *h *= weight);
+                (h, error * weight.abs())
+            })
+            .collect();
+        let columns: Vec<Vec<Complex64>> = along
+            .distances
+            .par_iter()
+            .map(|x| {
+                let mut column = vec![Complex64::ZERO; across.distances.len()];
+                for ((beta, _), (h, _)) in nodes.iter().zip(&rows) {
+                    let cos = (beta * x).cos();
+                    column.iter_mut().zip(h).for_each(|(sum, h)| *sum += h * cos);
+                }
+                column
+            })
+            .collect();
+        let values =
+            Array2::from_shape_fn((y.len(), x.len()), |(j, i)| columns[along.places[i]][across.places[j]]);
+        let largest = values.iter().map(|u| u.norm()).fold(0.0, f64::max);
+        let within: f64 = rows.iter().map(|row| row.1).sum();
+        let error = ((estimate.error * near.max(far) + rest) / PI + within) / largest;
+        if error.is_nan() || error > 1e-2 {
+            return Err(InteractionError::Diverges { speed: 0.0, error });
+        }
+        Ok(StandingField { values, error })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Mirrored;
+
+    #[test]
+    fn mirrored_positions_are_one() {
+        let positions: Vec<f64> = (0..9).map(|i| -0.6 + 0.2 * f64::from(i)).collect();
+        let mirrored = Mirrored::new(&positions);
+        assert_eq!(mirrored.distances.len(), 6);
+        assert_eq!(mirrored.places, [3, 2, 1, 0, 1, 2, 3, 4, 5]);
+        // none mirrored
+        let mirrored = Mirrored::new(&[-0.3, 0.1, 0.5]);
+        assert_eq!(mirrored.places, [1, 0, 2]);
+    }
+}
