@@ -234,8 +234,9 @@ impl FreeField {
         }
         // small beside the largest h where the axles are slower than the waves: not from the table
         let h = |y: f64| transfer(model.stack(), ground.as_ref(), strip, (shift, omega), y);
-        let along = self.receivers.iter().map(|&y| h(y).norm_sqr()).collect();
-        Ok(Density { along, dynamic, converged: section.converged() })
+        let along: Vec<(Complex64, bool)> = self.receivers.iter().map(|&y| h(y)).collect();
+        let converged = section.converged() && along.iter().all(|h| h.1);
+        Ok(Density { along: along.iter().map(|h| h.0.norm_sqr()).collect(), dynamic, converged })
     }
 
     /// Third-octave r.m.s. velocities of the pass, quasi-static, dynamic and total.

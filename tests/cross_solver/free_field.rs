@@ -532,9 +532,8 @@ fn forces_of_the_study() {
         }
     }
     println!("worst {worst:e} at {at:.1} Hz");
-    // measured 1.6e-2 at 75.8 Hz: the cubics through 20 points per factor e follow α no better near the resonance of the wheel on the
-    // track (10 points: 5.7e-2, 30 points: 3.9e-3). Bands from 10 to 80 Hz change by 1.6e-3 from 10 to 30 points
-    assert!(worst.abs() < 0.03, "{worst:e}");
+    // measured 1.4e-3 at 12.7 Hz: α is interpolated where the forces half-way between its entries are foreseen to 1 %
+    assert!(worst.abs() < 3e-3, "{worst:e}");
 }
 
 #[test]
