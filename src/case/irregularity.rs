@@ -7,7 +7,7 @@ use crate::irregularity::{
     ChinaBallastless, FraBreakWavenumber, FraCorner, German, IrregularityError, Iso8608, Order, Sncf,
     Spectrum, measured, out_of_round, sinusoidal,
 };
-use crate::study::Irregularity;
+use crate::study::{Carrier, Irregularity};
 
 /// Shortest wavelength a case may ask for [m].
 const SHORTEST: f64 = 0.01;
@@ -106,7 +106,7 @@ pub fn irregularity(
                 .map_err(|e| Finding::new("irregularity.phase", e))?;
             let text =
                 format!("one sinusoid, wavelength {wavelength} m, amplitude {:.4} mm", 1e3 * amplitude);
-            Ok(Irregularity::Given { profile, text })
+            Ok(Irregularity::Given { profile, text, carrier: Carrier::Rail })
         }
         IrregularityKind::OutOfRound => wheels(input),
         _ => {
@@ -162,7 +162,7 @@ fn profile(
     let text = format!(
         "measured, {file}, {length} m from x = {first} m, x = {abreast} m abreast of the receivers{range}"
     );
-    Ok(Irregularity::Given { profile: profile.shifted(abreast), text })
+    Ok(Irregularity::Given { profile: profile.shifted(abreast), text, carrier: Carrier::Rail })
 }
 
 /// Wheels that are not round.
@@ -185,8 +185,12 @@ fn wheels(input: &IrregularityInput) -> Result<Irregularity, Finding> {
     let profile = out_of_round(radius, &list).map_err(|e| Finding::new(key(&e), e))?;
     let shown: Vec<String> =
         list.iter().map(|o| format!("order {} of {:.4} mm", o.order, 1e3 * o.amplitude)).collect();
-    let text = format!("wheels of radius {radius} m that are not round: {}", shown.join(", "));
-    Ok(Irregularity::Given { profile, text })
+    let seed = input.seed.unwrap_or(1);
+    let text = format!(
+        "wheels of radius {radius} m that are not round, {}, each turned by a random angle, seed {seed}",
+        shown.join(", ")
+    );
+    Ok(Irregularity::Given { profile, text, carrier: Carrier::Wheels { seed } })
 }
 
 /// The spectrum of a random profile.

@@ -1,31 +1,48 @@
 //! Forces of wheels on a rough rail for any wavelength of it, from a table of the rail's receptances.
+//!
+//! α of all distances is tabulated against ln Ω and interpolated between six neighbours. Wherever the forces that follow half-way
+//! between two entries are not those of the rail itself, the half-way is an entry too: the table is fine where wheels on the track
+//! resonate and where e^{−ik|x|} between them turns, and coarse elsewhere.
 
+use super::wheel_rail::Distances;
 use super::{InteractionError, WheelRail};
-use crate::math::interpolation::cubic_weights;
+use crate::math::interpolation::lagrange_weights;
 use crate::progress::Observer;
-use nalgebra::DMatrix;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-/// Driving frequencies at which the rail is asked, per factor e.
-const PER_UNIT: f64 = 20.0;
+/// Entries per factor e to begin with, and how often a step is halved at most.
+const PER_UNIT: f64 = 5.0;
+const HALVINGS: u32 = 6;
+/// Error of interpolated forces half-way between entries; with the half-ways in the table it is a tenth of that.
+const ACCURACY: f64 = 1e-2;
+/// Entries that an interpolated value follows.
+const NEIGHBOURS: usize = 6;
 
-/// α of all wheels against ln ω̃, and what stands on them.
+/// α of all wheels against ln Ω, and what stands on them.
 pub struct ContactForces<'a> {
     wheels: &'a WheelRail<'a>,
-    /// ln Ω of the first entry but one, and the step.
-    low: f64,
-    step: f64,
-    table: Vec<DMatrix<Complex64>>,
-    /// False where a receptance missed its accuracy.
+    distances: Distances,
+    /// Where on the profile each wheel stands at t = 0 [m].
+    starts: Vec<f64>,
+    /// By ln Ω, ascending.
+    table: Vec<Entry>,
+    /// False where a receptance missed its accuracy, or the forces theirs.
     pub converged: bool,
+}
+
+/// α at one ln Ω.
+struct Entry {
+    place: f64,
+    alpha: Vec<Complex64>,
+    converged: bool,
 }
 
 impl<'a> ContactForces<'a> {
     /// For wavenumbers Ω between `range` (lowest, highest) [rad/m], both above zero.
     ///
-    /// Accuracy: 2 % of the force near the resonance of the wheel on the track, 0.4 % elsewhere (test
-    /// `cross_solver::free_field::forces_of_the_study`).
+    /// Accuracy: of each force, or of a tenth of the largest where it is smaller than that: 1.4e-3 for one
+    /// wheel, 1e-3 for four (test `cross_solver::contact_forces`).
     ///
     /// # Errors
     /// A foundation that cannot answer; a response that diverges.
@@ -34,35 +51,92 @@ impl<'a> ContactForces<'a> {
         range: (f64, f64),
         observer: &dyn Observer,
     ) -> Result<Self, InteractionError> {
-        let (low, high) = (range.0.ln(), range.1.ln());
-        // α is smooth in ln ω̃; one point more on either side for the cubic
-        let count = ((high - low) * PER_UNIT).ceil().max(1.0) as usize + 1;
-        let step = ((high - low) / (count - 1) as f64).max(1e-3);
-        observer.begin("contact forces", count as u64 + 2);
-        let table: Vec<(DMatrix<Complex64>, bool)> = (0..count + 2)
-            .into_par_iter()
-            .map(|i| {
-                let answer = wheels.rail((low + step * (i as f64 - 1.0)).exp() * wheels.speed);
+        let low = range.0.ln();
+        let width = (range.1.ln() - low).max(1e-3);
+        let count = ((width * PER_UNIT).ceil() as usize).max(NEIGHBOURS - 1);
+        let places: Vec<f64> = (0..=count).map(|i| low + width * i as f64 / count as f64).collect();
+        // on one rail
+        let starts = wheels.bodies.axles().iter().map(|a| -a.position).collect();
+        let mut forces =
+            Self { wheels, distances: wheels.distances(), starts, table: Vec::new(), converged: true };
+        forces.table = forces.ask(&places, observer)?;
+        let mut steps: Vec<(f64, f64)> = places.windows(2).map(|pair| (pair[0], pair[1])).collect();
+        for _ in 0..=HALVINGS {
+            let middles: Vec<f64> = steps.iter().map(|step| 0.5 * (step.0 + step.1)).collect();
+            let entries = forces.ask(&middles, observer)?;
+            steps = steps
+                .into_iter()
+                .zip(&entries)
+                .filter(|(_, entry)| !forces.foresees(entry))
+                .flat_map(|((from, to), entry)| [(from, entry.place), (entry.place, to)])
+                .collect();
+            forces.table.extend(entries);
+            forces.table.sort_by(|a, b| a.place.total_cmp(&b.place));
+        }
+        forces.converged = steps.is_empty() && forces.table.iter().all(|entry| entry.converged);
+        Ok(forces)
+    }
+
+    /// The rail at some ln Ω.
+    fn ask(&self, places: &[f64], observer: &dyn Observer) -> Result<Vec<Entry>, InteractionError> {
+        if places.is_empty() {
+            return Ok(Vec::new());
+        }
+        observer.begin("contact forces", places.len() as u64);
+        let entries = places
+            .par_iter()
+            .map(|&place| {
+                let (alpha, converged) =
+                    self.wheels.rail_at(&self.distances, place.exp() * self.wheels.speed)?;
                 observer.advance();
-                answer
+                Ok(Entry { place, alpha, converged })
             })
-            .collect::<Result<_, _>>()?;
+            .collect();
         observer.end();
-        let converged = table.iter().all(|t| t.1);
-        Ok(Self { wheels, low, step, table: table.into_iter().map(|t| t.0).collect(), converged })
+        entries
+    }
+
+    /// True if the table without `entry` gives its forces.
+    fn foresees(&self, entry: &Entry) -> bool {
+        let (exact, guess) = (
+            self.forces(&entry.alpha, entry.place),
+            self.forces(&self.interpolated(entry.place), entry.place),
+        );
+        let largest = exact.iter().map(|p| p.norm()).fold(0.0, f64::max);
+        exact.iter().zip(&guess).all(|(p, q)| (q - p).norm() <= ACCURACY * p.norm().max(0.1 * largest))
+    }
+
+    /// α at ln Ω = `place` from the polynomial through its neighbours.
+    fn interpolated(&self, place: f64) -> Vec<Complex64> {
+        let above = self.table.partition_point(|entry| entry.place < place);
+        let first = above.saturating_sub(NEIGHBOURS / 2).min(self.table.len() - NEIGHBOURS);
+        let near = &self.table[first..first + NEIGHBOURS];
+        let nodes: [f64; NEIGHBOURS] = std::array::from_fn(|i| near[i].place);
+        let mut alpha = vec![Complex64::ZERO; near[0].alpha.len()];
+        for (entry, weight) in near.iter().zip(lagrange_weights(&nodes, place)) {
+            for (sum, value) in alpha.iter_mut().zip(&entry.alpha) {
+                *sum += value * weight;
+            }
+        }
+        alpha
+    }
+
+    /// The same for wheels each on a profile of its own, as one that is not round: wheel i meets e^{iΩ(vt + s_i)}, s_i = `starts`
+    /// [m].
+    pub fn on_profiles_of_their_own(self, starts: Vec<f64>) -> Self {
+        Self { starts, ..self }
+    }
+
+    /// P_i from α of all distances at ln Ω = `place`.
+    fn forces(&self, alpha: &[Complex64], place: f64) -> Vec<Complex64> {
+        self.wheels.forces_from(&self.distances.matrix(alpha), place.exp() * self.wheels.speed, &self.starts)
     }
 
     /// p_i = P_i e^{iΩa_i} [N per metre of a profile e^{iΩx}], Ω = `wavenumber` [rad/m] within the range: each force against the
     /// profile under its own wheel, so that p is smooth in Ω, however long the train.
     pub fn at(&self, wavenumber: f64) -> Vec<Complex64> {
-        let place = (wavenumber.ln() - self.low) / self.step;
-        let i = (place.floor().max(0.0) as usize).min(self.table.len() - 4);
-        let weights = cubic_weights(place - i as f64);
-        let mut alpha = &self.table[i] * Complex64::from(weights[0]);
-        for (m, weight) in weights.iter().enumerate().skip(1) {
-            alpha += &self.table[i + m] * Complex64::from(*weight);
-        }
-        let forces = self.wheels.forces(&alpha, wavenumber * self.wheels.speed);
+        let place = wavenumber.ln();
+        let forces = self.forces(&self.interpolated(place), place);
         let axles = self.wheels.bodies.axles();
         forces.iter().zip(axles).map(|(p, a)| p * Complex64::cis(wavenumber * a.position)).collect()
     }

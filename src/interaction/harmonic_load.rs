@@ -6,12 +6,14 @@
 //! α(x′; ω̃) = (1/2π) ∫ ũ_r(β, ω̃ − βv) e^{iβx′} dβ
 //! ```
 //!
-//! The integral is done once by adaptive panels; the same nodes serve every x′.
+//! The integral is done once by adaptive panels, over a foundation interpolated along the line as finely as the rail feels it; the
+//! same nodes serve every x′.
 //!
 //! Source: Lamprea-Pineda et al. 2022, Eqs 85–87 and application 3.
 
+use super::moving_load::BETA_CAP;
 use super::{InteractionError, TrackOnFoundation};
-use crate::math::quadrature::{Adaptive, Tolerance};
+use crate::math::quadrature::{Adaptive, Estimate, Tolerance};
 use crate::soil::strip::sinc;
 use crate::soil::{PreparedGround, Strip};
 use num_complex::Complex64;
@@ -20,11 +22,9 @@ use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
 /// Wanted error of the integral relative to the receptance under the load.
-const ACCURACY: f64 = 1e-4;
-/// A point load whose spectrum has not faded here [rad/m] stands on nothing that spreads it.
-const BETA_CAP: f64 = 400.0;
-/// Evaluations of the track allowed.
-const MAX_COUNT: usize = 100_000;
+pub(super) const ACCURACY: f64 = 1e-4;
+/// Evaluations of the track allowed (the foundation is interpolated).
+const MAX_COUNT: usize = 600_000;
 
 /// Response to a unit harmonic load as a quadrature rule over β.
 #[derive(Clone, Debug)]
@@ -53,52 +53,21 @@ impl TrackOnFoundation<'_> {
     /// # Errors
     /// A foundation that cannot answer; a response that diverges.
     pub fn harmonic(&self, omega: f64, speed: f64, reach: f64) -> Result<HarmonicLoad, InteractionError> {
-        // the first foundation that cannot answer; nothing is computed after it
-        let failure = RefCell::new(None);
-        let last = Cell::new(Complex64::new(1e8, 0.0));
-        let converged = Cell::new(true);
-        let kept = RefCell::new(HashMap::new());
-        let respond = |beta: f64| {
-            if let Some(known) = kept.borrow().get(&beta.to_bits()) {
-                return *known;
-            }
-            let omega = omega - beta * speed;
-            let unfelt = |k: Complex64| {
-                let (once, twice) =
-                    (self.stack.respond(beta, omega, k).rail, self.stack.respond(beta, omega, 2.0 * k).rail);
-                (once - twice).norm() < 0.1 * ACCURACY * once.norm()
-            };
-            // where the rail does not feel the foundation any stiffness of its size will do
-            if failure.borrow().is_none() && !unfelt(last.get()) {
-                // at β = 0 the strip on a half-space has no static stiffness
-                match self.foundation.stiffness_to(beta.abs().max(1e-6), omega, 0.1 * ACCURACY) {
-                    Ok(k) => {
-                        last.set(k.value);
-                        converged.set(converged.get() && (k.converged || k.relative_error < ACCURACY));
-                    }
-                    Err(error) => {
-                        failure.replace(Some(error));
-                    }
-                }
-            }
-            let u = self.stack.respond(beta, omega, last.get());
-            let load = sinc(beta * self.half_length);
-            let result = u.rail * load;
-            kept.borrow_mut().insert(beta.to_bits(), result);
-            result
+        let line = self.driven_line(omega, speed)?;
+        let mut rail = |beta: f64| {
+            let u = self.stack.respond(beta, omega - beta * speed, line.stiffness(beta));
+            u.rail * sinc(beta * self.half_length)
         };
-        let mut rail = |beta: f64| respond(beta);
         // panels: from the origin outward, finer than fifteen nodes can follow e^{iβx′}
         let widest = 14.0 / reach.max(1.0);
         let mut integral = Adaptive::new();
+        let mut faded = true;
         let turn = if speed == 0.0 { None } else { Some(omega / speed) };
         let sides: &[f64] = if speed == 0.0 { &[1.0] } else { &[1.0, -1.0] };
-        let enough = if self.half_length > 0.0 { 60.0 / self.half_length } else { BETA_CAP };
         for &side in sides {
             let (mut from, mut step) = (0.0, 0.01f64);
             loop {
                 let mut to = from + step.min(widest);
-                // damping changes its sign with ω
                 if let Some(turn) = turn.filter(|t| side * t > from * (1.0 + 1e-12) && side * t < to) {
                     to = side * turn;
                 }
@@ -106,22 +75,17 @@ impl TrackOnFoundation<'_> {
                 integral.add(&mut rail, &ends);
                 (from, step) = (to, 1.5 * step);
                 let rest = rail(side * from).norm() * from / 3.0;
-                let faded = rest < 0.3 * ACCURACY * integral.value().norm();
-                if from > enough && !faded && self.half_length == 0.0 {
-                    converged.set(false);
+                if rest < 0.3 * ACCURACY * integral.value().norm() {
+                    break;
                 }
-                if faded || from > enough || failure.borrow().is_some() {
+                if from > self.enough() {
+                    faded &= self.half_length > 0.0;
                     break;
                 }
             }
         }
-        // long trains begin with many panels
-        let max_count = MAX_COUNT + 3 * kept.borrow().len();
-        let tolerance = Tolerance { relative: 0.5 * ACCURACY, absolute: 0.0, max_count };
+        let tolerance = Tolerance { relative: 0.5 * ACCURACY, absolute: 0.0, max_count: MAX_COUNT };
         let estimate = integral.refine(&mut rail, Complex64::ZERO, tolerance);
-        if let Some(error) = failure.borrow_mut().take() {
-            return Err(error.into());
-        }
         let error = estimate.error / estimate.value.norm();
         if !estimate.converged && (error.is_nan() || error > 1e-2) {
             return Err(InteractionError::Diverges { speed, error });
@@ -129,7 +93,7 @@ impl TrackOnFoundation<'_> {
         let mut load = HarmonicLoad {
             beta: Vec::new(),
             rail: Vec::new(),
-            converged: estimate.converged && converged.get(),
+            converged: estimate.converged && faded && line.converged,
         };
         for panel in integral.into_panels() {
             for i in 0..15 {
@@ -147,7 +111,8 @@ impl TrackOnFoundation<'_> {
     }
 
     /// Displacement of the ground's surface [m/N] at distances `receivers` [m] from the centre line, abreast of a standing unit
-    /// force e^{iωt}: (1/π) ∫₀^∞ k_eq ũ_base R(β; y) dβ, R the receiver integral of `ground`, prepared at `omega` ≠ 0.
+    /// force e^{iωt}: (1/π) ∫₀^∞ k_eq ũ_base R(β; y) dβ, R the receiver integral of `ground`, prepared at `omega` ≠ 0; and whether
+    /// the accuracy was met at all of them.
     ///
     /// Accuracy: 1e-4 of each (test `cross_solver::receptance`).
     ///
@@ -159,25 +124,31 @@ impl TrackOnFoundation<'_> {
         ground: &dyn PreparedGround,
         strip: Strip,
         receivers: &[f64],
-    ) -> Result<Vec<Complex64>, InteractionError> {
+    ) -> Result<(Vec<Complex64>, bool), InteractionError> {
         let kept = RefCell::new(HashMap::new());
+        let converged = Cell::new(true);
         let force = |beta: f64| {
             *kept.borrow_mut().entry(beta.to_bits()).or_insert_with(|| {
-                let stiffness = 1.0 / ground.strip(beta, strip, 0.1 * ACCURACY).value;
+                let estimate = ground.strip(beta, strip, 0.1 * ACCURACY);
+                converged.set(converged.get() && within(&estimate, ACCURACY));
+                let stiffness = 1.0 / estimate.value;
                 let u = self.stack.respond(beta, omega, stiffness);
                 u.base * stiffness * sinc(beta * self.half_length)
             })
         };
         let waves = &ground.outline().wavenumbers;
         let slowest = waves.last().copied().unwrap_or(0.0);
-        receivers
+        let values = receivers
             .iter()
             .map(|&y| {
                 let mut integrand = |beta: f64| {
-                    force(beta)
-                        * ground
-                            .receiver(beta, strip.half_width, y, receiver_accuracy(beta, slowest, y))
-                            .value
+                    // wanted relative to the waves beside which it decays, not to itself
+                    let nepers = decay(beta, slowest, y - strip.half_width);
+                    let wanted = (0.1 * ACCURACY * nepers.exp()).min(0.1);
+                    let estimate = ground.receiver(beta, strip.half_width, y, wanted);
+                    let met = nepers > NEGLIGIBLE || within(&estimate, 10.0 * wanted);
+                    converged.set(converged.get() && met);
+                    force(beta) * estimate.value
                 };
                 let mut points = vec![0.0];
                 points.extend(waves.iter().copied());
@@ -190,7 +161,11 @@ impl TrackOnFoundation<'_> {
                     integral.add(&mut integrand, &[top, next]);
                     top = next;
                     let rest = integrand(top).norm() * top / 3.0;
-                    if rest < 0.3 * ACCURACY * integral.value().norm() || top > BETA_CAP {
+                    if rest < 0.3 * ACCURACY * integral.value().norm() {
+                        break;
+                    }
+                    if top > BETA_CAP {
+                        converged.set(false);
                         break;
                     }
                 }
@@ -200,15 +175,23 @@ impl TrackOnFoundation<'_> {
                 if !estimate.converged && (error.is_nan() || error > 1e-2) {
                     return Err(InteractionError::Diverges { speed: 0.0, error });
                 }
+                converged.set(converged.get() && estimate.converged);
                 Ok(estimate.value / PI)
             })
-            .collect()
+            .collect::<Result<_, _>>()?;
+        Ok((values, converged.get()))
     }
 }
 
-/// Relative accuracy of R(β; y) worth having: what decays like e^{−√(β² − k²)y} beside waves of wavenumber k = `slowest` is
-/// wanted relative to them, not to itself.
-fn receiver_accuracy(beta: f64, slowest: f64, y: f64) -> f64 {
-    let decay = (beta * beta - slowest * slowest).max(0.0).sqrt() * y;
-    (0.1 * ACCURACY * decay.exp()).min(0.1)
+/// True if an integral that was asked for more has at least `relative` accuracy.
+pub(super) fn within(estimate: &Estimate, relative: f64) -> bool {
+    estimate.converged || estimate.error <= relative * estimate.value.norm()
+}
+
+/// Nepers beyond which nobody asks how exact a wave is: 1e-11 of it arrives.
+pub(super) const NEGLIGIBLE: f64 = 25.0;
+
+/// √(β² − k²) d: nepers by which waves slower than k = `slowest` decay over a `distance` d [m] from the edge of the strip.
+pub(super) fn decay(beta: f64, slowest: f64, distance: f64) -> f64 {
+    (beta * beta - slowest * slowest).max(0.0).sqrt() * distance
 }

@@ -1,6 +1,7 @@
 //! Track on foundation: moving loads along the track, and the ground around it.
 
 mod contact_forces;
+mod driven_line;
 mod far_field;
 mod ground_field;
 mod ground_grid;

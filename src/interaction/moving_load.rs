@@ -21,7 +21,7 @@ pub(super) const BETA_MIN: f64 = 1e-6;
 /// Wanted error of the integral relative to the deflection under the load.
 const ACCURACY: f64 = 1e-5;
 /// A point load whose spectrum has not faded here [rad/m] stands on nothing that spreads it.
-const BETA_CAP: f64 = 400.0;
+pub(super) const BETA_CAP: f64 = 400.0;
 /// Evaluations of the track allowed (the foundation is interpolated).
 const MAX_COUNT: usize = 600_000;
 

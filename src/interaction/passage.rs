@@ -6,6 +6,7 @@
 //!
 //! with R the receiver integral of the ground. It is the line at y through the contour around the load.
 
+use super::harmonic_load::within;
 use super::moving_load::{BETA_MIN, panels};
 use super::{InteractionError, TrackOnFoundation};
 use crate::math::complex::I;
@@ -14,7 +15,7 @@ use crate::math::quadrature::{Adaptive, Tolerance};
 use crate::soil::{GroundSolver, Profile, SoilError, Solver, Strip};
 use crate::vehicle::Axle;
 use num_complex::Complex64;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::f64::consts::PI;
 
 /// Wanted error relative to the largest displacement.
@@ -84,12 +85,18 @@ impl TrackOnFoundation<'_> {
         let beta_max = ((1.0 / ACCURACY).ln() + 3.0) / evanescent.max(1e-9);
         let beta_max = beta_max.min(spectrum.force_extent());
         let relative = |beta: f64| (0.3 * ACCURACY * (beta * evanescent).exp()).min(0.1);
+        let converged = Cell::new(true);
         let response = |beta: f64| {
             if failure.borrow().is_some() {
                 return Complex64::ONE;
             }
             match solver.prepare(profile, -beta * speed, &[]) {
-                Ok(ground) => ground.receiver(beta, strip.half_width, y, relative(beta)).value,
+                Ok(ground) => {
+                    let wanted = relative(beta);
+                    let estimate = ground.receiver(beta, strip.half_width, y, wanted);
+                    converged.set(converged.get() && within(&estimate, 10.0 * wanted));
+                    estimate.value
+                }
                 Err(error) => {
                     failure.replace(Some(error));
                     Complex64::ONE
@@ -121,7 +128,7 @@ impl TrackOnFoundation<'_> {
             speed,
             beta: Vec::new(),
             spectrum: Vec::new(),
-            converged: table.converged && estimate.converged && spectrum.converged(),
+            converged: converged.get() && table.converged && estimate.converged && spectrum.converged(),
         };
         for panel in integral.into_panels() {
             for i in 0..15 {

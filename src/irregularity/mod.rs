@@ -21,7 +21,7 @@ pub use fra_corner::FraCorner;
 pub use german::German;
 pub use iso8608::Iso8608;
 pub use measured::measured;
-pub use out_of_round::{Order, out_of_round};
+pub use out_of_round::{Order, out_of_round, random_starts};
 pub use realisation::{Component, Realisation};
 pub use sinusoidal::sinusoidal;
 pub use sncf::Sncf;

@@ -1,5 +1,6 @@
 //! Wheels that are not round.
 
+use super::realisation::SplitMix64;
 use super::{Component, IrregularityError, Realisation, finite, positive};
 use std::f64::consts::{PI, TAU};
 
@@ -38,6 +39,13 @@ pub fn out_of_round(radius: f64, orders: &[Order]) -> Result<Realisation, Irregu
         })
     };
     Realisation::new(orders.iter().map(component).collect::<Result<_, _>>()?, TAU * radius)
+}
+
+/// Where on its profile of `length` [m] each of `count` wheels stands at x = 0 [m]: anywhere with equal likelihood, from `seed`
+/// as the phases of [`Realisation::of`].
+pub fn random_starts(count: usize, length: f64, seed: u64) -> Vec<f64> {
+    let mut random = SplitMix64(seed);
+    (0..count).map(|_| length * random.unit()).collect()
 }
 
 #[cfg(test)]

@@ -134,7 +134,7 @@ impl Realisation {
 }
 
 /// Steele, Lea & Flood 2014, Fast splittable pseudorandom number generators, OOPSLA.
-struct SplitMix64(u64);
+pub(super) struct SplitMix64(pub(super) u64);
 
 impl SplitMix64 {
     fn next(&mut self) -> u64 {
@@ -145,7 +145,7 @@ impl SplitMix64 {
     }
 
     /// In [0, 1), in steps of 2⁻⁵³.
-    fn unit(&mut self) -> f64 {
+    pub(super) fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 * (-53f64).exp2()
     }
 }

@@ -17,7 +17,7 @@ pub use contour::Contour;
 pub use critical_speed::CriticalSpeed;
 pub use dispersion::Dispersion;
 pub use equivalent_stiffness::EquivalentStiffness;
-pub use free_field::{FreeField, Irregularity, Roughness};
+pub use free_field::{Carrier, FreeField, Irregularity, Roughness};
 pub use model::{Contact, Model, Support};
 pub use receptance::Receptance;
 pub use receptance_map::ReceptanceMap;

@@ -44,15 +44,15 @@ impl Receptance {
             .map(|frequency| {
                 let omega = TAU * frequency;
                 let load = track.harmonic(omega, 0.0, 0.0)?;
-                let receivers = match (ground, model.contact().strip()) {
+                let (receivers, met) = match (ground, model.contact().strip()) {
                     (Some((profile, solver)), Some(strip)) => {
                         let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
                         track.ground(omega, ground.as_ref(), strip, &self.receivers)?
                     }
-                    _ => Vec::new(),
+                    _ => (Vec::new(), true),
                 };
                 observer.advance();
-                Ok((load.rail(0.0), receivers, load.converged))
+                Ok((load.rail(0.0), receivers, load.converged && met))
             })
             .collect::<Result<_, StudyError>>()?;
         observer.end();

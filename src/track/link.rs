@@ -95,7 +95,8 @@ impl Link {
                     // x cot x = 1 − x²/3, x/sin x = 1 + x²/6, to x⁴/45 < 1e-17
                     (k * (1.0 - x * x / 3.0), k * (1.0 + x * x / 6.0))
                 } else {
-                    (k * x / x.tan(), k * x / x.sin())
+                    // cot: the tangent of a complex π/2 is NaN
+                    (k * x * x.cos() / x.sin(), k * x / x.sin())
                 };
                 LinkStiffness { upper: t, cross: -s, lower: t }
             }
@@ -130,5 +131,15 @@ mod tests {
             // at 0.05 rad/s the difference T − S keeps 1e-9 of T: 2e-7 of the mass
             assert!((mass / exact - 1.0).abs() < 1e-4, "{omega}: {mass} {exact}");
         }
+    }
+
+    #[test]
+    fn undamped_bars_answer_at_a_quarter_wave() {
+        // ωh/C = π/2 as it rounds: T → 0, S → EA ω/C
+        let bars = Link::Bars { axial_stiffness: 1.75e8, height: 1.0, wave_speed: 1.0, loss_factor: 0.0 };
+        let k = bars.stiffness(std::f64::consts::FRAC_PI_2);
+        let exact = 1.75e8 * std::f64::consts::FRAC_PI_2;
+        // cos of the rounded π/2 is 6e-17
+        assert!(k.upper.norm() < 1e-15 * exact && (k.cross + exact).norm() < 1e-15 * exact, "{k:?}");
     }
 }

@@ -24,6 +24,8 @@ pub struct Energies {
     pub quasi_static: Array2<f64>,
     pub dynamic: Array2<f64>,
     pub total: Array2<f64>,
+    /// False where an integral missed its accuracy.
+    pub converged: bool,
 }
 
 /// One component of the profile: Ω, ½ S dΩ/v² and the forces p_i = P_i e^{iΩa_i} it makes, each against the profile under its
@@ -89,26 +91,35 @@ impl Energies {
         let (profile, solver) = pass.ground()?;
         let (Some(first), Some(last)) = (study.bands.first(), study.bands.last()) else {
             let nothing = Array2::zeros((study.receivers.len(), 0));
-            return Ok(Self { quasi_static: nothing.clone(), dynamic: nothing.clone(), total: nothing });
+            return Ok(Self {
+                quasi_static: nothing.clone(),
+                dynamic: nothing.clone(),
+                total: nothing,
+                converged: true,
+            });
         };
         // slower than the waves, h falls over tens of decades: its logarithm is smooth where sections see nothing any more
         let slower = study.speed < profile.slowest_rayleigh_speed();
         let (low, high) = (first.lower().ln(), last.upper().ln());
         let count = 4 * study.bands.len() + 1;
         let step = (high - low) / (count - 1) as f64;
-        let logarithms: Vec<Vec<f64>> = (0..if slower { count } else { 0 })
+        let rows: Vec<(Vec<f64>, bool)> = (0..if slower { count } else { 0 })
             .into_par_iter()
             .map(|i| {
                 let omega = TAU * (low + step * i as f64).exp();
                 let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
                 let h = |y: &f64| {
                     let at = (omega / study.speed, omega);
-                    transfer(pass.model.stack(), ground.as_ref(), pass.strip, at, *y).norm_sqr()
+                    transfer(pass.model.stack(), ground.as_ref(), pass.strip, at, *y)
                 };
+                let h: Vec<(Complex64, bool)> = study.receivers.iter().map(h).collect();
                 // of what is nothing there is no logarithm
-                Ok(study.receivers.iter().map(|y| h(y).max(1e-300).ln()).collect())
+                let logarithms = h.iter().map(|h| h.0.norm_sqr().max(1e-300).ln()).collect();
+                Ok((logarithms, h.iter().all(|h| h.1)))
             })
             .collect::<Result<_, StudyError>>()?;
+        let converged = rows.iter().all(|row| row.1);
+        let logarithms: Vec<Vec<f64>> = rows.into_iter().map(|row| row.0).collect();
         let squares = |f: f64| -> Vec<f64> {
             if slower {
                 let place = (f.ln() - low) / step;
@@ -148,6 +159,7 @@ impl Energies {
             dynamic: Array2::zeros(energies.raw_dim()),
             total: energies.clone(),
             quasi_static: energies,
+            converged,
         })
     }
 

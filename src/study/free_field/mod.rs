@@ -21,7 +21,7 @@ use crate::assessment::Band;
 use crate::concern::Concern;
 use crate::foundation::LayeredSoil;
 use crate::interaction::{ContactForces, Section, Sections, TrackOnFoundation, WheelRail};
-use crate::irregularity::{Realisation, Spectrum};
+use crate::irregularity::{Realisation, Spectrum, random_starts};
 use crate::progress::Observer;
 use crate::soil::{Profile, Solver, Strip};
 use crate::vehicle::{Multibody, Train};
@@ -35,6 +35,18 @@ const K_MAX: f64 = 30.0;
 /// The solver for integrals whose every point has its own ω: modes would serve one point each.
 fn pointwise(solver: Solver) -> Solver {
     if solver.has_modes() { Solver::DirectStiffness } else { solver }
+}
+
+/// What carries a given profile.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Carrier {
+    /// The rail: each wheel meets what the one before it met.
+    Rail,
+    /// Every wheel, turned by an angle of its own from this seed.
+    Wheels {
+        /// Of the angles.
+        seed: u64,
+    },
 }
 
 /// What the wheels roll over.
@@ -57,6 +69,8 @@ pub enum Irregularity {
         profile: Realisation,
         /// What it is, in one line.
         text: String,
+        /// Of the rail, or of each wheel by itself.
+        carrier: Carrier,
     },
 }
 
@@ -156,13 +170,21 @@ impl FreeField {
         converged &= sections.converged;
 
         let mut energies = bands::Energies::quasi_static(&pass, &sections)?;
+        converged &= energies.converged;
         let mut histories = vec![quasi_static.velocity.clone()];
         let mut driven = Vec::new();
         if let Some(roughness) = &self.roughness {
             let contact = vec![roughness.contact; roughness.bodies.wheelset_count()];
             let wheels =
                 WheelRail { track: &track, bodies: &roughness.bodies, contact: &contact, speed: self.speed };
-            let forces = ContactForces::new(&wheels, roughness.irregularity.wavenumbers(), observer)?;
+            let range = roughness.irregularity.wavenumbers();
+            let mut forces = ContactForces::new(&wheels, range, observer)?;
+            if let Irregularity::Given { profile, carrier: Carrier::Wheels { seed }, .. } =
+                &roughness.irregularity
+            {
+                let starts = random_starts(roughness.bodies.wheelset_count(), profile.repeat_length(), *seed);
+                forces = forces.on_profiles_of_their_own(starts);
+            }
             converged &= forces.converged;
             let profiles = pass.profiles(&roughness.irregularity, times)?;
             histories = pass
