@@ -17,11 +17,11 @@ use num_complex::Complex64;
 
 /// Distance beyond which wheels do not feel one another through rail and ground [m].
 ///
-/// Not exactly: of eight ICE 3 at 67.5 m/s on the ballasted track of `goicolea2014_ice3_free_field`, with wheels beyond 25, 50 or 100 m
-/// uncoupled, the forces in the third octave of 40 Hz, where waves behind a wheel fade least, are off by 20, 10 or 2 % (r.m.s. over
-/// wheels) and a weak one by 62, 31 or 8 %, but at random: the band at a receiver by 0.15, 0.85 or 0.25 %. Next worst at 50 m: 5 % of the
-/// forces and 0.1 % of the band at 31.5 Hz; up to 20 Hz and above 60 Hz 0.6 % and 0.07 %. 100 m would double the time.
-pub const COUPLED: f64 = 50.0;
+/// Not exactly: of eight ICE 3 at 67.5 m/s on the ballasted track of `goicolea2014_ice3_free_field`, with wheels beyond 50, 100 or
+/// 150 m uncoupled, the forces in the third octave of 40 Hz, where waves behind a wheel fade least, are off by 10, 2 or 0.3 %
+/// (r.m.s. over wheels), a weak one by 31, 8 or 2 %, and |Σ p_i e^{−iωa_i/v}|² in the band by 0.85, 0.25 or 0.03 %. Up to 20 Hz and
+/// above 60 Hz the forces are off by 0.6 % at most with 50 m.
+pub const COUPLED: f64 = 100.0;
 
 /// A train of bodies on a track, at one speed.
 pub struct WheelRail<'a> {

@@ -77,12 +77,7 @@ fn bands_of_the_history_are_those_of_the_spectrum() {
     let passage = track.passage((&profile, Solver::DirectStiffness), strip(), speed, y, 700.0).unwrap();
     // long enough that the 1/t² tails of velocity do not count
     let step = 1.0 / 256.0;
-    let values = (-2560..2560)
-        .map(|i| {
-            let t = step * f64::from(i);
-            axles.iter().map(|a| a.load * passage.velocity(t - a.position / speed)).sum()
-        })
-        .collect();
+    let values = passage.of_train(&axles).velocities(-2560.0 * step, step, 5120);
     let history = EnergySpectrum::of(&History::new(step, values).unwrap());
     for (band, v) in bands.iter().zip(spectrum) {
         let error = band.energy(&history).unwrap() / (v * v) - 1.0;

@@ -79,8 +79,7 @@ impl Pass<'_> {
                 let one = track.passage((profile, solver), self.strip, speed, y, reach)?;
                 let all = one.of_train(self.train.axles());
                 observer.advance();
-                let row = times.values().par_iter().map(|t| all.velocity(*t)).collect();
-                Ok((row, one.converged))
+                Ok((all.velocities(times.first, times.step, times.count), one.converged))
             })
             .collect::<Result<_, StudyError>>()?;
         observer.end();
