@@ -110,6 +110,11 @@ impl Section {
         if beta > self.reach[receiver] { Complex64::ZERO } else { self.transfers[receiver].at(beta) }
     }
 
+    /// Largest β that reaches receiver number `receiver` [rad/m].
+    pub fn reach(&self, receiver: usize) -> f64 {
+        self.reach[receiver]
+    }
+
     /// False where a table or an integral was accepted without meeting its tolerance.
     pub fn converged(&self) -> bool {
         self.converged

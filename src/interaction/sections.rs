@@ -32,6 +32,8 @@ pub struct Between<'a> {
     omega: f64,
     /// ω of a section, the section, its weight.
     parts: [(f64, &'a Section, f64); NODES],
+    /// Largest slowness that reaches each receiver [s/m].
+    reach: Vec<f64>,
 }
 
 impl Sections {
@@ -112,8 +114,12 @@ impl Sections {
         let first = above.saturating_sub(NODES / 2).min(self.omega.len() - NODES);
         let nodes: [f64; NODES] = std::array::from_fn(|i| self.omega[first + i]);
         let weights = lagrange_weights(&nodes, omega);
-        let parts = std::array::from_fn(|i| (nodes[i], &self.sections[first + i], weights[i]));
-        Between { of: self, omega, parts }
+        let parts: [(f64, &Section, f64); NODES] =
+            std::array::from_fn(|i| (nodes[i], &self.sections[first + i], weights[i]));
+        let reach =
+            |r: usize| parts.iter().map(|(omega, section, _)| section.reach(r) / omega).fold(0.0, f64::max);
+        let reach = (0..self.receivers.len()).map(reach).collect();
+        Between { of: self, omega, parts, reach }
     }
 
     /// How many there are.
@@ -126,6 +132,9 @@ impl Between<'_> {
     /// h(β) at receiver number `receiver` [m per N/m].
     pub fn transfer(&self, receiver: usize, beta: f64) -> Complex64 {
         let slowness = beta / self.omega;
+        if slowness.abs() > self.reach[receiver] {
+            return Complex64::ZERO;
+        }
         // τ(s); evanescent waves have no phase to take out
         let time =
             (self.of.slowness.powi(2) - slowness * slowness).max(0.0).sqrt() * self.of.receivers[receiver];
