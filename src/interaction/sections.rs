@@ -2,6 +2,7 @@
 
 use super::Section;
 use crate::math::interpolation::lagrange_weights;
+use crate::progress::Observer;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
@@ -54,6 +55,7 @@ impl Sections {
         receivers: &[f64],
         slowness: f64,
         section: impl Fn(f64) -> Result<Section, E> + Sync,
+        observer: &dyn Observer,
     ) -> Result<Self, E> {
         let time = slowness * receivers.iter().copied().fold(0.0, f64::max);
         let mut omega = vec![range.0];
@@ -62,8 +64,13 @@ impl Sections {
             // long waves and layers: their fields change with ω itself
             omega.push(last + (4.0 / time).min(0.3 * last));
         }
-        let make =
-            |omega: &[f64]| -> Result<Vec<Section>, E> { omega.par_iter().map(|w| section(*w)).collect() };
+        let make = |omega: &[f64]| -> Result<Vec<Section>, E> {
+            observer.begin("ground", omega.len() as u64);
+            let one = |w: &f64| section(*w).inspect(|_| observer.advance());
+            let sections = omega.par_iter().map(one).collect();
+            observer.end();
+            sections
+        };
         let sections = make(&omega)?;
         let receivers = receivers.to_vec();
         let mut result = Self { omega, sections, receivers, slowness, converged: false };

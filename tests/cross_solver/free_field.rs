@@ -630,7 +630,7 @@ fn between_sections() {
         let ground = DirectStiffness.prepare(&profile, omega, &[]).unwrap();
         Ok(Section::new(&stack, ground.as_ref(), STRIP, omega, &receivers))
     };
-    let sections = Sections::new((1.0, 550.0), &receivers, 1.0 / SLOW, section).unwrap();
+    let sections = Sections::new((1.0, 550.0), &receivers, 1.0 / SLOW, section, &Silent).unwrap();
     println!("{} sections", sections.count());
     assert!(sections.converged);
     let mut worst = 0.0f64;

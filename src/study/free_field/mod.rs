@@ -300,18 +300,12 @@ impl Pass<'_> {
         let lowest = bands.iter().map(|b| b.lower()).fold(1.0 / times.period(), f64::min);
         let highest = bands.iter().map(|b| b.upper()).fold(0.0, f64::max);
         let slowest = profile.slowest_rayleigh_speed();
-        observer.begin("ground", 0);
         let section = |omega: f64| {
             let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
-            let section =
-                Section::new(self.model.stack(), ground.as_ref(), self.strip, omega, &self.study.receivers);
-            observer.advance();
-            Ok(section)
+            Ok(Section::new(self.model.stack(), ground.as_ref(), self.strip, omega, &self.study.receivers))
         };
         let range = (TAU * lowest, TAU * highest);
-        let sections = Sections::new(range, &self.study.receivers, 1.0 / slowest, section);
-        observer.end();
-        sections
+        Sections::new(range, &self.study.receivers, 1.0 / slowest, section, observer)
     }
 
     /// The ground and what answers for it across the track.
