@@ -8,6 +8,7 @@ use crate::irregularity::{
     Spectrum, measured, out_of_round, sinusoidal,
 };
 use crate::study::{Carrier, Irregularity};
+use std::f64::consts::TAU;
 
 /// Shortest wavelength a case may ask for [m].
 const SHORTEST: f64 = 0.01;
@@ -90,6 +91,11 @@ pub fn irregularity(
         let message = format!("from {from} m: the shortest must be at least {SHORTEST} m");
         return Err(Finding::new("irregularity.wavelengths.from", message));
     }
+    // seeds are stored as doubles
+    if let Some(seed) = input.seed.filter(|seed| *seed > 1 << 53) {
+        let message = format!("found {seed}: it must not be above {}", 1u64 << 53);
+        return Err(Finding::new("irregularity.seed", message));
+    }
     match kind {
         IrregularityKind::Measured => profile(input, wavelengths, files),
         IrregularityKind::Sinusoidal => {
@@ -167,12 +173,18 @@ fn profile(
 
 /// Wheels that are not round.
 fn wheels(input: &IrregularityInput) -> Result<Irregularity, Finding> {
-    let radius = input.radius.ok_or_else(|| missing(input.kind, "radius"))?;
+    let radius =
+        positive(input.radius.ok_or_else(|| missing(input.kind, "radius"))?, "irregularity.radius", "m")?;
     let orders = input.orders.as_ref().ok_or_else(|| missing(input.kind, "orders"))?;
     let mut list = Vec::new();
     for (i, o) in orders.iter().enumerate() {
         if !(1..=MOST_ORDERS).contains(&o.order) {
             let message = format!("found {}: it must lie between 1 and {MOST_ORDERS}", o.order);
+            return Err(Finding::new(format!("irregularity.orders[{i}].order"), message));
+        }
+        let wavelength = TAU * radius / f64::from(o.order);
+        if wavelength < SHORTEST {
+            let message = format!("waves of {wavelength:.4} m: the shortest must be at least {SHORTEST} m");
             return Err(Finding::new(format!("irregularity.orders[{i}].order"), message));
         }
         let amplitude = positive(o.amplitude, &format!("irregularity.orders[{i}].amplitude"), "m")?;

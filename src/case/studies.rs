@@ -305,6 +305,8 @@ fn receptance(input: &ReceptanceInput) -> Result<Receptance, Finding> {
     Ok(Receptance { frequencies, receivers, map: map.transpose()? })
 }
 
+/// Farthest receiver of a free field [m].
+const FAR_FIELD: f64 = 500.0;
 /// Slowest train whose vibration is worth asking for [m/s].
 const SLOWEST: f64 = 1.0;
 /// Longest passage a case may ask for [s].
@@ -328,6 +330,11 @@ fn free_field(
         return Err(
             Finding::new("free_field.receivers", "the list is empty").help("give at least one distance [m]")
         );
+    }
+    if let Some(i) = receivers.iter().position(|y| *y > FAR_FIELD) {
+        let message = format!("{} m: farther than {FAR_FIELD} m", receivers[i]);
+        return Err(Finding::new(format!("free_field.receivers[{i}]"), message)
+            .help("the waves of a train have died away there"));
     }
     let passage_time = input.passage_time;
     if let Some(time) = passage_time

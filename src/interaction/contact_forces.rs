@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 /// Entries per factor e to begin with, and how often a step is halved at most.
 const PER_UNIT: f64 = 5.0;
-const HALVINGS: u32 = 6;
+const HALVINGS: u32 = 7;
 /// Error of interpolated forces half-way between entries; with the half-ways in the table it is a tenth of that.
 const ACCURACY: f64 = 1e-2;
 /// Entries that an interpolated value follows.
@@ -61,7 +61,7 @@ impl<'a> ContactForces<'a> {
             Self { wheels, distances: wheels.distances(), starts, table: Vec::new(), converged: true };
         forces.table = forces.ask(&places, observer)?;
         let mut steps: Vec<(f64, f64)> = places.windows(2).map(|pair| (pair[0], pair[1])).collect();
-        for _ in 0..=HALVINGS {
+        for _ in 0..HALVINGS {
             let middles: Vec<f64> = steps.iter().map(|step| 0.5 * (step.0 + step.1)).collect();
             let entries = forces.ask(&middles, observer)?;
             steps = steps
@@ -133,7 +133,8 @@ impl<'a> ContactForces<'a> {
     }
 
     /// p_i = P_i e^{iΩa_i} [N per metre of a profile e^{iΩx}], Ω = `wavenumber` [rad/m] within the range: each force against the
-    /// profile under its own wheel, so that p is smooth in Ω, however long the train.
+    /// profile under its own wheel, so that p is smooth in Ω, however long the train (of wheels on one
+    /// rail).
     pub fn at(&self, wavenumber: f64) -> Vec<Complex64> {
         let place = wavenumber.ln();
         let forces = self.forces(&self.interpolated(place), place);

@@ -129,6 +129,13 @@ impl Sections {
         Between { of: self, omega, parts, reach }
     }
 
+    /// Largest β that reaches a receiver at any of them [rad/m].
+    pub fn reach(&self) -> f64 {
+        let receivers = 0..self.receivers.len();
+        let of = |section: &Section| receivers.clone().map(|r| section.reach(r)).fold(0.0, f64::max);
+        self.sections.iter().map(of).fold(0.0, f64::max)
+    }
+
     /// How many there are.
     pub fn count(&self) -> usize {
         self.omega.len()

@@ -113,7 +113,9 @@ impl Realisation {
 
     /// What of it has wavelengths between `shortest` and `longest` [m].
     pub fn between(&self, shortest: f64, longest: f64) -> Self {
-        let inside = |c: &&Component| (shortest..=longest).contains(&c.wavelength());
+        // limits that are wavelengths of components are meant to include them, however they round
+        let (least, most) = (shortest * (1.0 - 1e-9), longest * (1.0 + 1e-9));
+        let inside = |c: &&Component| (least..=most).contains(&c.wavelength());
         Self { components: self.components.iter().filter(inside).copied().collect(), ..*self }
     }
 

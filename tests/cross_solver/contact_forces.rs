@@ -158,3 +158,27 @@ fn the_first_wheel_need_not_lead() {
         assert!((a[i] - b[j]).norm() < 1e-12 * a[i].norm(), "{} {}", a[i], b[j]);
     }
 }
+
+/// Wheels on profiles of their own that start where the rail has them are wheels on the rail; further along by c all forces come
+/// earlier by c.
+#[test]
+fn profiles_of_wheels() {
+    let (stack, soil) = (tracks::ballasted(), soil());
+    let track = TrackOnFoundation::new(&stack, &soil, 0.0);
+    let bodies = Multibody::unsprung(2003.0, 150e3).unwrap().row(&[0.0, 2.5]).unwrap();
+    let wheels = WheelRail { track: &track, bodies: &bodies, contact: &[CONTACT; 2], speed: SPEED };
+    let of = |starts: Option<Vec<f64>>| {
+        let table = ContactForces::new(&wheels, (2.0, 3.0), &Silent).unwrap();
+        match starts {
+            Some(starts) => table.on_profiles_of_their_own(starts).at(2.6),
+            None => table.at(2.6),
+        }
+    };
+    let (rail, same, along) = (of(None), of(Some(vec![0.0, -2.5])), of(Some(vec![0.7, -1.8])));
+    for i in 0..2 {
+        // rounding
+        assert!((same[i] - rail[i]).norm() < 1e-12 * rail[i].norm());
+        assert!((along[i] - rail[i] * Complex64::cis(2.6 * 0.7)).norm() < 1e-12 * rail[i].norm());
+    }
+    assert!((rail[0] - rail[1]).norm() > 1e-3 * rail[0].norm());
+}

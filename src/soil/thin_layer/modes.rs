@@ -173,7 +173,7 @@ impl Modes {
     /// y ≥ b: Σ r_j e^{−ay} sinh(ab)/(2a · ab); y < b: Σ r_j (1 − e^{−ab} cosh(ay))/(2a · ab); line: Σ r_j e^{−ay}/(2a).
     pub fn receiver(&self, beta: f64, b: f64, y: f64) -> Complex64 {
         let y = y.abs();
-        // what has decayed by e^{−36} more than the mode that reaches farthest is not seen beside it
+        // what has decayed by e^{−36} more than the mode that reaches farthest is lost in rounding beside the whole
         let kappa = |pole: &Complex64| sqrt_decaying(Complex64::from(beta * beta) - pole).re;
         let farthest = self.kappa.iter().map(kappa).fold(f64::INFINITY, f64::min);
         let seen = farthest + 36.0 / (y - b).max(f64::MIN_POSITIVE);

@@ -230,7 +230,14 @@ impl Energies {
             Ok(())
         };
         bands(&(total - quasi_static), &mut self.dynamic)?;
-        bands(total, &mut self.total)
+        // a history ends, and what is cut off there leaks into bands where the quasi-static part is next to nothing: only its
+        // product with the dynamic part is taken from histories
+        let mut cut = self.quasi_static.clone();
+        bands(quasi_static, &mut cut)?;
+        bands(total, &mut self.total)?;
+        let product = &self.total - &cut - &self.dynamic;
+        self.total = (&self.quasi_static + &self.dynamic + product).mapv(|energy| energy.max(0.0));
+        Ok(())
     }
 
     /// r.m.s. velocities [m/s] over the passage time: quasi-static, dynamic, total.
@@ -266,7 +273,12 @@ impl Pass<'_> {
             .model
             .ground("free_field")
             .map_or(0.0, |(profile, _)| profile.materials().map(|m| m.c_s()).fold(0.0, f64::max));
-        let narrow = 20.0 * fastest / speed;
+        // within which a branch point is blurred by damping alone
+        let least = self
+            .model
+            .ground("free_field")
+            .map_or(1.0, |(profile, _)| profile.materials().map(|m| m.loss_factor()).fold(1.0, f64::min));
+        let narrow = least.max(1e-3).recip().max(20.0) * fastest / speed;
         let count = ((high - low) * COMPONENTS.max(phase).max(narrow)).ceil() as usize;
         let width = (high - low) / count as f64;
         (0..count)

@@ -99,7 +99,8 @@ impl Pass<'_> {
             Irregularity::Given { profile, .. } => Ok(vec![profile.clone()]),
             Irregularity::Random { spectrum, wavelengths, seed, count } => {
                 // eight components at least below twice the lowest wavenumber
-                let length = (self.study.speed * times.period()).max(8.0 * wavelengths.1);
+                let way = self.study.speed * times.period() + self.train.length();
+                let length = way.max(8.0 * wavelengths.1);
                 let components = (length / wavelengths.0).ceil() as usize;
                 let of = |i: usize| {
                     let seed = seed.wrapping_add(i as u64);

@@ -1,7 +1,7 @@
 //! What a reader sees of the free field: answers, pictures, concerns.
 
 use super::metrics::{KB_F_MAXIMUM, MEASURES, TOLD, V_SLOW_MAXIMUM, VDV};
-use super::{Answered, FreeField, Irregularity};
+use super::{Answered, Carrier, FreeField, Irregularity};
 use crate::assessment::{Level, Quantity, Reference, guide_values};
 use crate::concern::Concern;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
@@ -181,7 +181,7 @@ impl Answered<'_> {
     }
 
     fn force_figure(&self) -> Option<(Figure, String)> {
-        let roughness = self.pass.study.roughness.as_ref()?;
+        let roughness = self.pass.study.roughness.as_ref().filter(|_| !self.driven.is_empty())?;
         let (label, stroke) = match &roughness.irregularity {
             Irregularity::Random { .. } => ("√ of one-sided spectral density [kN/√Hz]", Stroke::Solid),
             Irregularity::Given { .. } => ("amplitude [kN]", Stroke::Points),
@@ -319,12 +319,12 @@ impl Answered<'_> {
                 "waves fade slowly there (light damping, far receivers); bands of a spectrum's expected value are free of it",
             ));
         }
-        if let Some(Irregularity::Given { profile, .. }) =
+        if let Some(Irregularity::Given { profile, carrier, .. }) =
             self.pass.study.roughness.as_ref().map(|r| &r.irregularity)
         {
-            let way = self.pass.study.speed * self.times.period();
-            // what repeats by itself, as a sinusoid does, may
-            if profile.components().len() > 20 && profile.repeat_length() < way {
+            let way = self.pass.study.speed * self.times.period() + self.pass.train.length();
+            // what repeats by itself, as a wheel and a sinusoid do, may
+            if *carrier == Carrier::Rail && profile.components().len() > 1 && profile.repeat_length() < way {
                 concerns.push(Concern::new(
                     "profile-repeats",
                     format!(
