@@ -1,8 +1,8 @@
 //! `[irregularity]` → what the wheels roll over, with every fault at its key.
 
+use super::checks::{positive, span};
 use super::error::Finding;
 use super::schema::{IrregularityInput, IrregularityKind};
-use super::studies::{positive, span};
 use crate::irregularity::{
     ChinaBallastless, FraBreakWavenumber, FraCorner, German, IrregularityError, Iso8608, Order, Sncf,
     Spectrum, measured, out_of_round, sinusoidal,

@@ -1,5 +1,6 @@
 //! What a case file may say, its checks, the library of named parameter sets, and the runner.
 
+mod checks;
 pub mod error;
 mod ground;
 mod irregularity;

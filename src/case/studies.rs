@@ -1,5 +1,6 @@
 //! Study tables → studies, with every fault at its key.
 
+use super::checks::{FARTHEST, positive, span};
 use super::error::Finding;
 use super::irregularity;
 use super::schema::{
@@ -17,8 +18,6 @@ use crate::study::{
     Roughness, Study, SurfaceComplianceTable, TrackResponse, same_speed, tag,
 };
 
-/// Farthest position a study may ask for [m].
-const FARTHEST: f64 = 10_000.0;
 /// Least distance to the periodic images of a contour [m].
 const LEAST_CLEARANCE: f64 = 20.0;
 
@@ -110,34 +109,6 @@ fn ascending(values: &[f64], path: &str) -> Result<(), Finding> {
         )
         .help("sort the list, each value once")),
         None => Ok(()),
-    }
-}
-
-pub(super) fn span(input: SpanInput, path: &str) -> Result<(f64, f64), Finding> {
-    if !(input.from.is_finite() && input.to.is_finite()) {
-        return Err(Finding::new(
-            path,
-            format!("from {} to {} m: both must be finite", input.from, input.to),
-        ));
-    }
-    if input.to <= input.from {
-        return Err(Finding::new(
-            path,
-            format!("from {} to {} m: `to` must lie above `from`", input.from, input.to),
-        ));
-    }
-    if input.from.abs().max(input.to.abs()) > FARTHEST {
-        let message = format!("from {} to {} m: farther than {FARTHEST} m", input.from, input.to);
-        return Err(Finding::new(path, message).help("positions are in metres"));
-    }
-    Ok((input.from, input.to))
-}
-
-pub(super) fn positive(value: f64, path: &str, unit: &str) -> Result<f64, Finding> {
-    if value.is_finite() && value > 0.0 {
-        Ok(value)
-    } else {
-        Err(Finding::new(path, format!("found {value} {unit}: it must be finite and above zero")))
     }
 }
 
