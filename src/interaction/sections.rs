@@ -42,7 +42,7 @@ impl Sections {
     /// slowest wave, `section` makes one.
     ///
     /// At one slowness s = β/ω the waves of a half-space keep their places and e^{−iωτ(s)}, τ = y√(s_R² − s²), is all that changes. It
-    /// is taken out and put back; other waves and layers leave some of it. Sections stand 2/τ(0) apart, are halved once
+    /// is taken out and put back; other waves and layers leave some of it. Sections stand 4/τ(0) apart, are halved once
     /// everywhere, and again where that told something new.
     ///
     /// Accuracy: measured while halving, better than 1e-3 of the largest h of each receiver (test

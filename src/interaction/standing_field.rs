@@ -22,8 +22,6 @@ use std::f64::consts::PI;
 
 /// Wanted error relative to the value abreast of the load, of the nearest row and of the farthest.
 const ACCURACY: f64 = 1e-4;
-/// A load whose spectrum has not faded here [rad/m] stands on nothing that spreads it.
-const BETA_CAP: f64 = 400.0;
 /// Evaluations of the nearest and the farthest row allowed.
 const MAX_COUNT: usize = 200_000;
 /// Far rows of less than this share of the nearest are not followed to ACCURACY of themselves.
@@ -112,7 +110,7 @@ impl Transfer<'_> {
         const STEPS: u32 = 12;
         let a = self.track.half_length;
         // of a load spread over 2a sixty radians leave 1/60² of the integral, as in the rail's
-        let enough = if a > 0.0 { 60.0 / a } else { BETA_CAP };
+        let enough = self.track.enough();
         let (mut sum, mut largest) = (0.0, [0.0f64; 2]);
         let mut size = |beta: f64, width: f64| {
             let h = self.at(beta, self.compliance(beta), y).0;

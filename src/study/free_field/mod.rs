@@ -191,9 +191,7 @@ impl FreeField {
                 forces = forces.on_profiles_of_their_own(starts);
             }
             followed = forces.converged;
-            let profiles = pass.profiles(&roughness.irregularity, times)?;
-            let profiles: Vec<Realisation> =
-                profiles.iter().map(|p| p.between(TAU / range.1, f64::INFINITY)).collect();
+            let profiles = pass.profiles(&roughness.irregularity, TAU / range.1, times)?;
             histories = pass
                 .dynamic(&sections, &forces, &profiles, times, observer)
                 .into_iter()

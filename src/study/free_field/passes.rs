@@ -89,14 +89,15 @@ impl Pass<'_> {
         })
     }
 
-    /// The profiles to make histories of. They have their wavenumbers in common, and do not repeat while the train passes.
+    /// The profiles to make histories of, their wavelengths from `shortest` [m] on. They have their wavenumbers in common, and do not repeat while the train passes.
     pub fn profiles(
         &self,
         irregularity: &Irregularity,
+        shortest: f64,
         times: Times,
     ) -> Result<Vec<Realisation>, StudyError> {
         match irregularity {
-            Irregularity::Given { profile, .. } => Ok(vec![profile.clone()]),
+            Irregularity::Given { profile, .. } => Ok(vec![profile.between(shortest, f64::INFINITY)]),
             Irregularity::Random { spectrum, wavelengths, seed, count } => {
                 // eight components at least below twice the lowest wavenumber
                 let way = self.study.speed * times.period() + self.train.length();
@@ -104,7 +105,8 @@ impl Pass<'_> {
                 let components = (length / wavelengths.0).ceil() as usize;
                 let of = |i: usize| {
                     let seed = seed.wrapping_add(i as u64);
-                    Ok(Realisation::of(spectrum, *wavelengths, components, seed)?)
+                    let whole = Realisation::of(spectrum, *wavelengths, components, seed)?;
+                    Ok(whole.between(shortest, f64::INFINITY))
                 };
                 (0..*count).map(of).collect()
             }
