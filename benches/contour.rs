@@ -5,7 +5,7 @@ mod common;
 
 use common::STRIP;
 use divan::Bencher;
-use groundwave::interaction::{Quantity, Window};
+use groundwave::field::{Quantity, Window};
 use groundwave::progress::Silent;
 use groundwave::soil::{DirectStiffness, GroundSolver, Solver};
 use groundwave::study::{Contact, Contour, Model, Support};

@@ -5,10 +5,11 @@ mod common;
 
 use divan::Bencher;
 use groundwave::assessment::Band;
+use groundwave::contact::{ContactForces, WheelRail};
 use groundwave::foundation::LayeredSoil;
-use groundwave::interaction::{ContactForces, TrackOnFoundation, WheelRail};
 use groundwave::irregularity::{FraBreakWavenumber, Spectrum};
 use groundwave::progress::Silent;
+use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Solver, Strip, ThinLayer};
 use groundwave::study::{Contact, FreeField, Irregularity, Model, Roughness, Support};
 use groundwave::track::{Ballast, Ballasted, Link, Member, Stack};

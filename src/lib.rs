@@ -18,9 +18,10 @@
 //! | 2 | [`foundation`] | what a track stands on: k(β, ω), of springs or of layered ground |
 //! | 2 | [`assessment`] | third octaves, levels, KB, weighted acceleration and dose, guide values |
 //! | 2 | [`output`] | HDF5, CSV, JSON, pictures, report |
-//! | 3 | [`interaction`] | a track on a foundation under moving loads; the field in the ground |
-//! | 4 | [`study`] | one file per question: critical speed, dispersion, track response, contour, tables |
-//! | 5 | [`case`](mod@case) | case files, their checks, the library of parameter sets, the runner |
+//! | 3 | [`rail`] | how the rail of a track on its foundation answers loads that stand or move |
+//! | 4 | [`field`], [`contact`] | the ground beside the track; wheels and rails pressing on one another |
+//! | 5 | [`study`] | one file per question: critical speed, dispersion, track response, contour, tables |
+//! | 6 | [`case`](mod@case) | case files, their checks, the library of parameter sets, the runner |
 //!
 //! # Symbols
 //!
@@ -51,14 +52,16 @@
 pub mod assessment;
 pub mod case;
 pub mod concern;
+pub mod contact;
 pub mod dataset;
+pub mod field;
 pub mod figure;
 pub mod foundation;
-pub mod interaction;
 pub mod irregularity;
 pub mod math;
 pub mod output;
 pub mod progress;
+pub mod rail;
 pub mod signal;
 pub mod soil;
 pub mod study;
@@ -68,9 +71,9 @@ pub mod vehicle;
 pub use case::Case;
 pub use concern::Concern;
 pub use foundation::{Foundation, LayeredSoil, Winkler};
-pub use interaction::TrackOnFoundation;
 pub use irregularity::{Realisation, Spectrum};
 pub use progress::{Observer, Silent};
+pub use rail::TrackOnFoundation;
 pub use soil::{
     Base, Compatibility, DirectStiffness, Elastic, GroundSolver, Layer, Material, Profile, Solver, Strip,
 };

@@ -10,7 +10,7 @@ use super::schema::{
 use super::train::Wheels;
 use super::values::{Named, Range, Speed};
 use crate::assessment::Band;
-use crate::interaction::{Quantity, Window};
+use crate::field::{Quantity, Window};
 use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, ThinLayer};
 use crate::study::{

@@ -26,10 +26,11 @@ pub use track_response::{Record, TrackResponse, same_speed, tag};
 
 use crate::concern::Concern;
 use crate::dataset::Group;
+use crate::field::GroundFieldError;
 use crate::figure::Figure;
 use crate::foundation::FoundationError;
-use crate::interaction::{GroundFieldError, InteractionError};
 use crate::progress::Observer;
+use crate::rail::InteractionError;
 use crate::soil::SoilError;
 use thiserror::Error;
 

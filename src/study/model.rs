@@ -3,7 +3,7 @@
 use super::{StudyError, speed_text};
 use crate::concern::Concern;
 use crate::foundation::{Foundation, FoundationError, LayeredSoil, Winkler};
-use crate::interaction::TrackOnFoundation;
+use crate::rail::TrackOnFoundation;
 use crate::soil::{Base, Compatibility, Profile, Solver, Strip};
 use crate::track::Stack;
 use crate::vehicle::Train;

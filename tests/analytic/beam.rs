@@ -1,7 +1,7 @@
 //! A beam on springs: at rest, under a moving load, and shaken.
 
 use groundwave::foundation::{Foundation, Winkler};
-use groundwave::interaction::TrackOnFoundation;
+use groundwave::rail::TrackOnFoundation;
 use groundwave::track::{Link, Member, Stack};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};

@@ -1,7 +1,7 @@
 //! A constant load moving below the Rayleigh speed: the closed form of THEORY 2.
 
 use crate::common::soil;
-use groundwave::interaction::{GroundField, GroundLoad, Quantity, Window};
+use groundwave::field::{GroundField, GroundLoad, Quantity, Window};
 use groundwave::soil::strip::sinc;
 use groundwave::soil::{Base, Layer, Profile, Solver, half_space};
 use groundwave::vehicle::{Axle, Train};

@@ -2,10 +2,11 @@
 //! both without.
 
 use crate::common::{STRIP, named, tracks};
+use groundwave::contact::{ContactForces, WheelRail};
 use groundwave::foundation::{Foundation, FoundationError, LayeredSoil, Moving, Stiffness};
-use groundwave::interaction::{ContactForces, TrackOnFoundation, WheelRail};
 use groundwave::math::quadrature::{Tolerance, integrate};
 use groundwave::progress::Silent;
+use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::Solver;
 use groundwave::vehicle::{FourAxle, Multibody, Suspension};
 use num_complex::Complex64;

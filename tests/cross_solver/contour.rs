@@ -1,10 +1,11 @@
 //! The ground contour by FFT against direct double integration, which has no grid and no period.
 
 use crate::common::{named, tracks};
+use groundwave::field::{GroundField, GroundLoad, Quantity, Window};
 use groundwave::foundation::LayeredSoil;
-use groundwave::interaction::{GroundField, GroundLoad, Quantity, TrackOnFoundation, Window};
 use groundwave::math::bessel::modified_bessel;
 use groundwave::math::quadrature::{Tolerance, integrate};
+use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::strip::sinc;
 use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Profile, Solver, Strip, half_space};
 use groundwave::vehicle::{Axle, Train};

@@ -2,8 +2,8 @@
 
 use crate::common::{named, tracks};
 use groundwave::foundation::{Foundation, LayeredSoil};
-use groundwave::interaction::TrackOnFoundation;
 use groundwave::math::quadrature::{Tolerance, integrate};
+use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::{Solver, Strip, ThinLayer};
 use num_complex::Complex64;
 use std::f64::consts::PI;

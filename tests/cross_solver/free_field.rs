@@ -11,11 +11,13 @@
 
 use crate::common::{STRIP, named, tracks};
 use groundwave::assessment::Band;
+use groundwave::contact::WheelRail;
 use groundwave::dataset::Group;
+use groundwave::field::{Section, Sections};
 use groundwave::foundation::LayeredSoil;
-use groundwave::interaction::{Section, Sections, TrackOnFoundation, WheelRail};
 use groundwave::irregularity::{Component, German, Realisation, Spectrum};
 use groundwave::progress::Silent;
+use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::{DirectStiffness, GroundSolver, PreparedGround, Profile, Solver, ThinLayer};
 use groundwave::study::{Carrier, Contact, FreeField, Irregularity, Model, Roughness, Support};
 use groundwave::track::Stack;

@@ -2,9 +2,10 @@
 
 use crate::common::{named, tracks};
 use groundwave::assessment::Band;
+use groundwave::field::{GroundField, GroundLoad, Quantity, Window};
 use groundwave::foundation::LayeredSoil;
-use groundwave::interaction::{GroundField, GroundLoad, Quantity, TrackOnFoundation, Window};
 use groundwave::progress::Silent;
+use groundwave::rail::TrackOnFoundation;
 use groundwave::signal::{EnergySpectrum, History};
 use groundwave::soil::{Solver, Strip};
 use groundwave::study::{Contact, FreeField, Model, Support};

@@ -2,7 +2,7 @@
 
 use crate::common::{named, tracks};
 use groundwave::foundation::LayeredSoil;
-use groundwave::interaction::TrackOnFoundation;
+use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::{Solver, Strip, ThinLayer};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};

@@ -2,7 +2,7 @@
 
 use crate::common::{named, profile, tracks};
 use groundwave::foundation::Winkler;
-use groundwave::interaction::TrackOnFoundation;
+use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::strip::sinc;
 use groundwave::soil::{DirectStiffness, GroundSolver, Profile, Solver, Strip, ThinLayer};
 use ndarray::Array2;

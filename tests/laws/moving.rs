@@ -4,7 +4,7 @@ use crate::draw::{Ground, ground, log};
 use crate::track::{Track, track};
 use crate::{SOLVERS, Verdict, ask, report, within};
 use groundwave::foundation::{Foundation, LayeredSoil, Winkler};
-use groundwave::interaction::TrackOnFoundation;
+use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::{Compatibility, Solver, Strip};
 use proptest::prelude::*;
 

@@ -3,7 +3,8 @@
 use super::passes::Times;
 use super::{Driven, GROUND_ACCURACY, K_MAX, Pass, StudyError};
 use crate::assessment::rms;
-use crate::interaction::{COUPLED, ContactForces, Sections, transfer};
+use crate::contact::{COUPLED, ContactForces};
+use crate::field::{Sections, transfer};
 use crate::irregularity::Spectrum;
 use crate::math::interpolation::cubic_weights;
 use crate::progress::Observer;

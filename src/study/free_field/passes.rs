@@ -1,11 +1,13 @@
 //! Histories of a pass: the constant loads exactly, the rough rail for single profiles by inverse transform.
 
 use super::{Irregularity, Pass, StudyError};
-use crate::interaction::{ContactForces, Sections, TrackOnFoundation};
+use crate::contact::ContactForces;
+use crate::field::Sections;
 use crate::irregularity::Realisation;
 use crate::math::complex::I;
 use crate::math::fourier::{fast_size, from_half_spectrum};
 use crate::progress::Observer;
+use crate::rail::TrackOnFoundation;
 use ndarray::Array2;
 use num_complex::Complex64;
 use rayon::prelude::*;

@@ -6,12 +6,10 @@
 //!
 //! with R the receiver integral of the ground. It is the line at y through the contour around the load.
 
-use super::harmonic_load::within;
-use super::moving_load::{BETA_MIN, panels};
-use super::{InteractionError, TrackOnFoundation};
 use crate::math::complex::I;
 use crate::math::interpolation::Interpolant;
 use crate::math::quadrature::{Adaptive, Tolerance};
+use crate::rail::{BETA_MIN, InteractionError, TrackOnFoundation, panels, within};
 use crate::soil::{GroundSolver, Profile, SoilError, Solver, Strip};
 use crate::vehicle::Axle;
 use num_complex::Complex64;

@@ -7,8 +7,8 @@
 //! is the displacement at y [m per N/m] of a unit force per metre e^{i(ωt + βx)} on the rail, R the receiver integral. It is even in β.
 //! A force P e^{iω̃t} moving at v passes a receiver at x = 0 as the spectrum û(ω) = (P/v) h((ω̃ − ω)/v, ω).
 
-use super::harmonic_load::{NEGLIGIBLE, decay, within};
 use crate::math::interpolation::Interpolant;
+use crate::rail::{NEGLIGIBLE, decay, within};
 use crate::soil::{PreparedGround, Strip};
 use crate::track::Stack;
 use num_complex::Complex64;

@@ -9,10 +9,10 @@
 //! cos(qy) everywhere between; the same nodes then serve all points. There is no period, hence no wrap-around however light
 //! the damping. The field is even in x and in y.
 
-use super::{InteractionError, TrackOnFoundation};
 use crate::math::complex::I;
 use crate::math::interpolation::Interpolant;
 use crate::math::quadrature::{Adaptive, Tolerance};
+use crate::rail::{InteractionError, TrackOnFoundation};
 use crate::soil::strip::sinc;
 use crate::soil::{PreparedGround, Strip};
 use ndarray::Array2;

@@ -184,14 +184,14 @@ impl TrackOnFoundation<'_> {
 }
 
 /// True if an integral that was asked for more has at least `relative` accuracy.
-pub(super) fn within(estimate: &Estimate, relative: f64) -> bool {
+pub(crate) fn within(estimate: &Estimate, relative: f64) -> bool {
     estimate.converged || estimate.error <= relative * estimate.value.norm()
 }
 
 /// Nepers beyond which nobody asks how exact a wave is: 1e-11 of it arrives.
-pub(super) const NEGLIGIBLE: f64 = 25.0;
+pub(crate) const NEGLIGIBLE: f64 = 25.0;
 
 /// √(β² − k²) d: nepers by which waves slower than k = `slowest` decay over a `distance` d [m] from the edge of the strip.
-pub(super) fn decay(beta: f64, slowest: f64, distance: f64) -> f64 {
+pub(crate) fn decay(beta: f64, slowest: f64, distance: f64) -> f64 {
     (beta * beta - slowest * slowest).max(0.0).sqrt() * distance
 }

@@ -4,10 +4,11 @@
 //! between two entries are not those of the rail itself, the half-way is an entry too: the table is fine where wheels on the track
 //! resonate and where e^{−ik|x|} between them turns, and coarse elsewhere.
 
+use super::WheelRail;
 use super::wheel_rail::Distances;
-use super::{InteractionError, WheelRail};
 use crate::math::interpolation::lagrange_weights;
 use crate::progress::Observer;
+use crate::rail::InteractionError;
 use num_complex::Complex64;
 use rayon::prelude::*;
 

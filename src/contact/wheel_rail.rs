@@ -10,7 +10,7 @@
 //!
 //! Source: Lamprea-Pineda et al. 2022, Eqs 85–87.
 
-use super::{InteractionError, TrackOnFoundation};
+use crate::rail::{InteractionError, TrackOnFoundation};
 use crate::vehicle::Multibody;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;

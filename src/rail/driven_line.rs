@@ -121,7 +121,7 @@ impl TrackOnFoundation<'_> {
     }
 
     /// A wavenumber [rad/m] at which every load has faded or will not.
-    pub(super) fn enough(&self) -> f64 {
+    pub(crate) fn enough(&self) -> f64 {
         if self.half_length > 0.0 { 60.0 / self.half_length } else { BETA_CAP }
     }
 }

@@ -17,7 +17,7 @@ use thiserror::Error;
 
 /// Smallest wavenumber of the foundation [rad/m]; below it the last value is kept. The logarithm of a half-space
 /// makes that an error of about 1e-6 of the deflection.
-pub(super) const BETA_MIN: f64 = 1e-6;
+pub(crate) const BETA_MIN: f64 = 1e-6;
 /// Wanted error of the integral relative to the deflection under the load.
 const ACCURACY: f64 = 1e-5;
 /// A point load whose spectrum has not faded here [rad/m] stands on nothing that spreads it.
@@ -27,10 +27,10 @@ const MAX_COUNT: usize = 600_000;
 
 /// A stack on a foundation.
 pub struct TrackOnFoundation<'a> {
-    pub(super) stack: &'a Stack,
-    pub(super) foundation: &'a dyn Foundation,
+    pub(crate) stack: &'a Stack,
+    pub(crate) foundation: &'a dyn Foundation,
     /// Half-length of each axle's contact along the track [m]; 0 for a point on a rail.
-    pub(super) half_length: f64,
+    pub(crate) half_length: f64,
 }
 
 /// The response to a unit load at one speed, ready for any position.
@@ -80,7 +80,7 @@ pub enum InteractionError {
 
 /// Panel ends up to `beta_max` [rad/m]: growing from the logarithm at 0, then no wider than fifteen nodes can follow e^{iβx′} for
 /// |x′| ≤ `reach` [m].
-pub(super) fn panels(beta_max: f64, reach: f64) -> Vec<f64> {
+pub(crate) fn panels(beta_max: f64, reach: f64) -> Vec<f64> {
     let widest = 14.0 / reach.max(1.0);
     let mut points = vec![0.0, BETA_MIN];
     let mut beta = BETA_MIN;
