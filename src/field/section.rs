@@ -17,24 +17,25 @@ use std::cell::Cell;
 /// Error of h relative to its largest value.
 const ACCURACY: f64 = 1e-3;
 
-/// h(β) at one receiver itself, without a table: [m per N/m] to 1e-5, however small it is; and whether at least 1e-3 was reached,
-/// which is not asked of what decays by more than 25 Np.
+/// h(β) at one receiver itself, without a table: [m per N/m] to 1e-5, and whether at least 1e-3 was reached. None where waves decay by
+/// more than 25 Np on the way: what little arrives is rounding of the integral, and no number is made of it.
 pub fn transfer(
     stack: &Stack,
     ground: &dyn PreparedGround,
     strip: Strip,
     (beta, omega): (f64, f64),
     y: f64,
-) -> (Complex64, bool) {
+) -> Option<(Complex64, bool)> {
     const EXACT: f64 = 1e-5;
+    let slowest = ground.outline().wavenumbers.last().copied().unwrap_or(0.0);
+    if decay(beta, slowest, y - strip.half_width) > NEGLIGIBLE {
+        return None;
+    }
     let under = ground.strip(beta, strip, EXACT);
     let beside = ground.receiver(beta, strip.half_width, y, EXACT);
     let stiffness = 1.0 / under.value;
     let force = stack.respond(beta, omega, stiffness).base * stiffness;
-    let slowest = ground.outline().wavenumbers.last().copied().unwrap_or(0.0);
-    let arrives = decay(beta, slowest, y - strip.half_width) < NEGLIGIBLE;
-    let converged = !arrives || (within(&under, ACCURACY) && within(&beside, ACCURACY));
-    (force * beside.value, converged)
+    Some((force * beside.value, within(&under, ACCURACY) && within(&beside, ACCURACY)))
 }
 
 /// h at one ω for some receivers.

@@ -76,6 +76,12 @@ impl PreparedGround for Sampled {
         self.of_table(strip::receiver_quadrature(&g, self.outline(), beta, half_width, y, relative))
     }
 
+    fn receivers(&self, beta: f64, half_width: f64, y: &[f64], relative: f64) -> Vec<Estimate> {
+        let g = |k| self.u_zz(k);
+        let all = strip::receivers_quadrature(&g, self.outline(), beta, half_width, y, relative);
+        all.into_iter().map(|estimate| self.of_table(estimate)).collect()
+    }
+
     fn modes(&self) -> Result<Vec<Pole>, SoilError> {
         self.ground.modes()
     }
@@ -103,5 +109,19 @@ mod tests {
                 assert!(error < 3e-8, "{omega} {k}: {error:e}");
             }
         }
+    }
+
+    #[test]
+    fn what_its_table_missed_no_integral_hides() {
+        // on rock, all but undamped: a resonance in k that 2¹⁴ pieces do not resolve
+        let elastic = Elastic::ShearPoisson { shear: 100.0, poisson: 0.3 };
+        let material = Material::new(elastic, 1800.0, 1e-13, 1e-13).unwrap();
+        let profile = Profile::new(vec![Layer { thickness: 5.0, material }], Base::Rigid).unwrap();
+        let ground = Sampled::new(DirectStiffness.prepare(&profile, 300.0, &[]).unwrap(), 30.0);
+        assert!(!ground.table.converged);
+        let strip = Strip { half_width: 1.25, compatibility: strip::Compatibility::Mean };
+        let one = [ground.strip(0.5, strip, 1e-3), ground.receiver(0.5, 1.25, 8.0, 1e-3)];
+        let many = ground.receivers(0.5, 1.25, &[8.0, 16.0], 1e-3);
+        assert!(one.iter().chain(&many).all(|e| !e.converged && e.error == f64::INFINITY));
     }
 }

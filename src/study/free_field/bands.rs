@@ -1,7 +1,7 @@
 //! Energy of a pass in third octaves.
 
 use super::passes::Times;
-use super::{Driven, GROUND_ACCURACY, K_MAX, Pass, StudyError};
+use super::{Driven, Pass, StudyError};
 use crate::assessment::rms;
 use crate::contact::{COUPLED, ContactForces};
 use crate::field::{Sections, transfer};
@@ -9,6 +9,7 @@ use crate::irregularity::Spectrum;
 use crate::math::interpolation::cubic_weights;
 use crate::progress::Observer;
 use crate::signal::{EnergySpectrum, History};
+use crate::soil::{GroundSolver, Profile, Solver};
 use crate::vehicle::Axle;
 use ndarray::Array2;
 use num_complex::Complex64;
@@ -82,6 +83,54 @@ impl Rows {
     }
 }
 
+/// |h|² along β = ω/v of loads slower than the waves: there it falls over tens of decades, where its logarithm is smooth.
+struct Slow {
+    /// ln f of the first value and the step between them.
+    low: f64,
+    step: f64,
+    /// ln |h|² of each frequency and receiver; None where nothing arrives that the integral could tell from its rounding.
+    logarithms: Vec<Vec<Option<f64>>>,
+    converged: bool,
+}
+
+impl Slow {
+    /// Of `pass` between the frequencies `range` [Hz], on a ground with its exact solver: each β has its own ω.
+    fn new(
+        pass: &Pass,
+        (profile, solver): (&Profile, Solver),
+        range: (f64, f64),
+    ) -> Result<Self, StudyError> {
+        let study = pass.study;
+        let (low, high) = (range.0.ln(), range.1.ln());
+        let count = 4 * study.bands.len() + 1;
+        let step = (high - low) / (count - 1) as f64;
+        let rows: Vec<Vec<Option<(Complex64, bool)>>> = (0..count)
+            .into_par_iter()
+            .map(|i| {
+                let omega = TAU * (low + step * i as f64).exp();
+                let ground = solver.prepare(profile, omega, &[])?;
+                let at = (omega / study.speed, omega);
+                let h = |y: &f64| transfer(pass.model.stack(), ground.as_ref(), pass.strip, at, *y);
+                Ok(study.receivers.iter().map(h).collect())
+            })
+            .collect::<Result<_, StudyError>>()?;
+        let converged = rows.iter().flatten().flatten().all(|h| h.1);
+        let logarithm = |h: Option<(Complex64, bool)>| h.map(|h| h.0.norm_sqr().ln());
+        let logarithms = rows.into_iter().map(|row| row.into_iter().map(logarithm).collect()).collect();
+        Ok(Self { low, step, logarithms, converged })
+    }
+
+    /// |h|² at receiver number `receiver` and `f` [Hz]: a cubic through four logarithms; 0 where one of them is not known.
+    fn square(&self, receiver: usize, f: f64) -> f64 {
+        let place = (f.ln() - self.low) / self.step;
+        let i = (place.floor() as isize).clamp(1, self.logarithms.len() as isize - 3) as usize;
+        let weights = cubic_weights(place - i as f64);
+        let sum: Option<f64> =
+            (0..4).map(|m| self.logarithms[i + m - 1][receiver].map(|l| weights[m] * l)).sum();
+        sum.map_or(0.0, f64::exp)
+    }
+}
+
 impl Energies {
     /// Of the axle loads alone: ∫ 2ω² |h|² |Σ P_i e^{−iωa_i/v}|²/v² df, sampled as finely as the phases turn.
     ///
@@ -89,7 +138,7 @@ impl Energies {
     /// A ground that cannot answer.
     pub fn quasi_static(pass: &Pass, sections: &Sections) -> Result<Self, StudyError> {
         let study = pass.study;
-        let (profile, solver) = pass.ground()?;
+        let (profile, solver) = pass.model.ground("free_field")?;
         let (Some(first), Some(last)) = (study.bands.first(), study.bands.last()) else {
             let nothing = Array2::zeros((study.receivers.len(), 0));
             return Ok(Self {
@@ -99,40 +148,19 @@ impl Energies {
                 converged: true,
             });
         };
-        // slower than the waves, h falls over tens of decades: its logarithm is smooth where sections see nothing any more
-        let slower = study.speed < profile.slowest_rayleigh_speed();
-        let (low, high) = (first.lower().ln(), last.upper().ln());
-        let count = 4 * study.bands.len() + 1;
-        let step = (high - low) / (count - 1) as f64;
-        let rows: Vec<(Vec<f64>, bool)> = (0..if slower { count } else { 0 })
-            .into_par_iter()
-            .map(|i| {
-                let omega = TAU * (low + step * i as f64).exp();
-                let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
-                let h = |y: &f64| {
-                    let at = (omega / study.speed, omega);
-                    transfer(pass.model.stack(), ground.as_ref(), pass.strip, at, *y)
-                };
-                let h: Vec<(Complex64, bool)> = study.receivers.iter().map(h).collect();
-                // of what is nothing there is no logarithm
-                let logarithms = h.iter().map(|h| h.0.norm_sqr().max(1e-300).ln()).collect();
-                Ok((logarithms, h.iter().all(|h| h.1)))
-            })
-            .collect::<Result<_, StudyError>>()?;
-        let converged = rows.iter().all(|row| row.1);
-        let logarithms: Vec<Vec<f64>> = rows.into_iter().map(|row| row.0).collect();
+        let slow = if study.speed < profile.slowest_rayleigh_speed() {
+            Some(Slow::new(pass, (profile, super::pointwise(solver)), (first.lower(), last.upper()))?)
+        } else {
+            None
+        };
+        let converged = slow.as_ref().is_none_or(|slow| slow.converged);
         let squares = |f: f64| -> Vec<f64> {
-            if slower {
-                let place = (f.ln() - low) / step;
-                let i = (place.floor() as isize).clamp(1, count as isize - 3) as usize;
-                let weights = cubic_weights(place - i as f64);
-                let at = |r: usize| (0..4).map(|m| weights[m] * logarithms[i + m - 1][r]).sum::<f64>().exp();
-                (0..study.receivers.len()).map(at).collect()
-            } else {
-                let ground = sections.at(TAU * f);
-                let at = |r| ground.transfer(r, TAU * f / study.speed).norm_sqr();
-                (0..study.receivers.len()).map(at).collect()
+            let receivers = 0..study.receivers.len();
+            if let Some(slow) = &slow {
+                return receivers.map(|r| slow.square(r, f)).collect();
             }
+            let ground = sections.at(TAU * f);
+            receivers.map(|r| ground.transfer(r, TAU * f / study.speed).norm_sqr()).collect()
         };
         let mut energies = Array2::zeros((study.receivers.len(), study.bands.len()));
         for (b, band) in study.bands.iter().enumerate() {

@@ -11,6 +11,7 @@
 //! ```
 
 mod bands;
+mod check;
 mod dataset;
 mod metrics;
 mod passes;
@@ -229,6 +230,7 @@ impl FreeField {
         };
         let mut concerns = self.concerns(model);
         concerns.extend(answer.concerns());
+        concerns.extend(answer.contradictions()?);
         if !converged {
             concerns.push(Concern::new(
                 "quadrature",

@@ -50,7 +50,11 @@ impl Answered<'_> {
                 answers.push(Answer::new(&format!("{key}_{y}"), what, value, unit, shown));
             };
             let value = broadband(total);
-            let level = Level::of(value, Reference::Iso1683)?;
+            let level = if value > 0.0 {
+                Level::of(value, Reference::Iso1683)?.to_string()
+            } else {
+                "less than 1e-10 of what the track feels arrives".into()
+            };
             let parts = (1e3 * broadband(quasi_static), 1e3 * broadband(dynamic));
             add(
                 "v_rms",
@@ -130,10 +134,10 @@ impl Answered<'_> {
         let centres: Vec<f64> = study.bands.iter().map(|band| band.centre()).collect();
         let labels = ("one-third-octave band [Hz]", "r.m.s. velocity [mm/s]");
         let row = |v: &Array2<f64>, r: usize| v.row(r).iter().map(|v| 1e3 * v).collect::<Vec<_>>();
+        let largest = |v: &mut dyn Iterator<Item = &f64>| 1e3 * v.fold(0.0, |m: f64, v| m.max(*v));
         // what is too small for a logarithmic picture is left out
-        let least = 1e-4 * velocities[2].iter().copied().fold(0.0, f64::max) * 1e3;
-        let line = |name: String, y: Vec<f64>, stroke| {
-            let (x, y) = centres.iter().zip(y).filter(|(_, y)| *y > least).unzip();
+        let line = |name: String, y: Vec<f64>, stroke, largest: f64| {
+            let (x, y) = centres.iter().zip(y).filter(|(_, y)| *y > 1e-4 * largest).unzip();
             Series { name, x, y, stroke }
         };
         let names = [("quasi-static", Stroke::Dashed), ("dynamic", Stroke::Points), ("total", Stroke::Solid)];
@@ -144,7 +148,8 @@ impl Answered<'_> {
             let mut picture = figure(name, format!("Ground velocity at {y} m, {at}"), labels, true);
             for (&(name, stroke), v) in names.iter().zip(velocities) {
                 if rough || name == "total" {
-                    picture.series.push(line(name.into(), row(v, r), stroke));
+                    let largest = largest(&mut velocities[2].row(r).iter());
+                    picture.series.push(line(name.into(), row(v, r), stroke, largest));
                 }
             }
             let caption = format!(
@@ -157,8 +162,10 @@ impl Answered<'_> {
         let mut picture =
             figure("free_field_receivers".into(), format!("Ground velocity, {at}"), labels, true);
         let receivers = study.receivers.iter().enumerate();
-        picture.series =
-            receivers.map(|(r, y)| line(format!("{y} m"), row(&velocities[2], r), Stroke::Solid)).collect();
+        let all = largest(&mut velocities[2].iter());
+        picture.series = receivers
+            .map(|(r, y)| line(format!("{y} m"), row(&velocities[2], r), Stroke::Solid, all))
+            .collect();
         figures.push((Figure::Lines(picture), "Total of all receivers.".into()));
         if study.receivers.len() > 1 {
             let sums = |v: &Array2<f64>| {
