@@ -5,6 +5,7 @@
 //! (its μ/h)/(the ground's μk) in units of rounding, as in any stiffness method (tests `laws`).
 
 use super::chain::{self, inverse_symmetric, upside_down};
+use super::flexibility;
 use super::layer_stiffness::LayerStiffness;
 use super::strip::Outline;
 use super::wave::Wave;
@@ -42,6 +43,9 @@ pub struct DirectStiffnessAt {
     outline: Outline,
 }
 
+/// Largest stiffness of a layer times the compliance it is felt with at the surface, both of which are rounded, that leaves 1e-9 of G.
+const MOST: f64 = 1e4;
+
 type Block = Matrix2<Complex64>;
 
 impl DirectStiffnessAt {
@@ -65,31 +69,44 @@ impl DirectStiffnessAt {
         })
     }
 
-    /// In-plane stiffness felt at the surface: S ← M(B − C (B + S)⁻¹ C)M from the base upward.
+    /// In-plane compliance at the surface: S ← M(B − C (B + S)⁻¹ C)M from the base upward, inverted; by the flexibility method where
+    /// a layer's stiffness has cost more digits than `MOST` allows.
     fn in_plane(&self, k: f64) -> Block {
         let mut below = self.half_space.map(|wave| LayerStiffness::<2>::half_space(&wave, k));
+        let mut largest = 0.0f64;
         for (wave, thickness) in self.layers.iter().rev() {
             let LayerStiffness { direct, cross } = LayerStiffness::<2>::layer(wave, *thickness, k);
+            largest = largest.max(direct[(0, 0)].l1_norm()).max(direct[(1, 1)].l1_norm());
             below = Some(upside_down(match below {
                 Some(below) => direct - cross * inverse_symmetric(&(direct + below)) * cross,
                 None => direct,
             }));
         }
-        below.unwrap_or_else(Block::zeros)
+        let g = inverse_symmetric(&below.unwrap_or_else(Block::zeros));
+        let size = g[(0, 0)].l1_norm().max(g[(1, 1)].l1_norm());
+        // written so that NaN is asked again
+        if size * largest < MOST { g } else { flexibility::in_plane(&self.layers, self.half_space, k) }
     }
 
-    /// Anti-plane stiffness felt at the surface.
+    /// Anti-plane compliance at the surface, likewise.
     fn anti_plane(&self, k: f64) -> Complex64 {
         let mut below = self.half_space.map(|wave| LayerStiffness::<1>::half_space(&wave, k)[0]);
+        let mut largest = 0.0f64;
         for (wave, thickness) in self.layers.iter().rev() {
             let layer = LayerStiffness::<1>::layer(wave, *thickness, k);
             let (direct, cross) = (layer.direct[0], layer.cross[0]);
+            largest = largest.max(direct.l1_norm());
             below = Some(match below {
                 Some(below) => direct - cross * cross / (direct + below),
                 None => direct,
             });
         }
-        below.unwrap_or_default()
+        let g = below.unwrap_or_default().inv();
+        if g.l1_norm() * largest < MOST {
+            g
+        } else {
+            flexibility::anti_plane(&self.layers, self.half_space, k)
+        }
     }
 
     /// conj for ω < 0.
@@ -112,21 +129,19 @@ impl DirectStiffnessAt {
 
 impl PreparedGround for DirectStiffnessAt {
     fn surface(&self, k: f64) -> SurfaceCompliance {
-        let g = inverse_symmetric(&self.in_plane(k));
+        let g = self.in_plane(k);
         SurfaceCompliance {
             u_zz: self.signed(g[(1, 1)]),
             u_xx: self.signed(g[(0, 0)]),
             // u_x = i u
             u_xz: I * self.signed(g[(0, 1)]),
-            u_yy: self.signed(1.0 / self.anti_plane(k)),
+            u_yy: self.signed(self.anti_plane(k)),
         }
     }
 
     #[inline]
     fn u_zz(&self, k: f64) -> Complex64 {
-        let stiffness = self.in_plane(k);
-        let (a, b, c) = (stiffness[(0, 0)], stiffness[(0, 1)], stiffness[(1, 1)]);
-        self.signed(a / (a * c - b * b))
+        self.signed(self.in_plane(k)[(1, 1)])
     }
 
     fn at_depths(&self, k: f64, source: usize) -> Vec<Compliance> {

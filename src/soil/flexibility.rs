@@ -83,41 +83,37 @@ fn down_going(wave: &Wave, k: f64, thickness: f64) -> [Block; 3] {
     [stiffness, Block::identity() * e_s - turning, Block::identity() * loss + turning]
 }
 
-impl FlexibilityAt {
-    fn in_plane(&self, k: f64) -> Block {
-        // rock does not yield
-        let mut q = self
-            .waves
-            .half_space
-            .map_or_else(Block::zeros, |w| inverse(LayerStiffness::<2>::half_space(&w, k)));
-        for (wave, h) in self.waves.layers.iter().rev() {
-            if wave.vertical(k) == (Complex64::ZERO, Complex64::ZERO) {
-                // k = ω = 0: a spring
-                q += Block::from_diagonal(&[Complex64::ONE, wave.gamma].into()) * (*h / wave.mu);
-                continue;
-            }
-            let [down, e, loss] = down_going(wave, k, *h);
-            let (up, e_up) = (upside_down(down), upside_down(e));
-            let twice = |a: Block| Block::from_diagonal(&(a.diagonal() * Complex64::from(2.0)));
-            let x = twice(loss) - upside_down(loss) * loss + e_up * in_series(q, up) * twice(down) * e;
-            q = x * inverse(twice(down) - up * x);
+/// In-plane flexibility at the surface of `layers`, top first, on `half_space`, or on rock where there is none.
+pub(super) fn in_plane(layers: &[(Wave, f64)], half_space: Option<Wave>, k: f64) -> Block {
+    // rock does not yield
+    let mut q = half_space.map_or_else(Block::zeros, |w| inverse(LayerStiffness::<2>::half_space(&w, k)));
+    for (wave, h) in layers.iter().rev() {
+        if wave.vertical(k) == (Complex64::ZERO, Complex64::ZERO) {
+            // k = ω = 0: a spring
+            q += Block::from_diagonal(&[Complex64::ONE, wave.gamma].into()) * (*h / wave.mu);
+            continue;
         }
-        q
+        let [down, e, loss] = down_going(wave, k, *h);
+        let (up, e_up) = (upside_down(down), upside_down(e));
+        let twice = |a: Block| Block::from_diagonal(&(a.diagonal() * Complex64::from(2.0)));
+        let x = twice(loss) - upside_down(loss) * loss + e_up * in_series(q, up) * twice(down) * e;
+        q = x * inverse(twice(down) - up * x);
     }
+    q
+}
 
-    /// Q′ = (1 − r)/(μs(1 + r)), r = e^{−2sh} (1 − Qμs)/(1 + Qμs)
-    fn anti_plane(&self, k: f64) -> Complex64 {
-        let mut q = self.waves.half_space.map_or(Complex64::ZERO, |w| 1.0 / (w.mu * w.vertical(k).1));
-        for (wave, h) in self.waves.layers.iter().rev() {
-            let s = wave.vertical(k).1;
-            let stiffness = wave.mu * s;
-            let e = (-2.0 * s * *h).exp();
-            // 1 − r = (1 − e + Qμs(1 + e))/(1 + Qμs), likewise 1 + r: free of cancellation where sh is small
-            let loss = 2.0 * *h * one_minus_exp_over(2.0 * s * *h, e);
-            q = (loss / wave.mu + q * (1.0 + e)) / (1.0 + e + q * stiffness * s * loss);
-        }
-        q
+/// The same anti-plane: Q′ = (1 − r)/(μs(1 + r)), r = e^{−2sh} (1 − Qμs)/(1 + Qμs)
+pub(super) fn anti_plane(layers: &[(Wave, f64)], half_space: Option<Wave>, k: f64) -> Complex64 {
+    let mut q = half_space.map_or(Complex64::ZERO, |w| 1.0 / (w.mu * w.vertical(k).1));
+    for (wave, h) in layers.iter().rev() {
+        let s = wave.vertical(k).1;
+        let stiffness = wave.mu * s;
+        let e = (-2.0 * s * *h).exp();
+        // 1 − r = (1 − e + Qμs(1 + e))/(1 + Qμs), likewise 1 + r: free of cancellation where sh is small
+        let loss = 2.0 * *h * one_minus_exp_over(2.0 * s * *h, e);
+        q = (loss / wave.mu + q * (1.0 + e)) / (1.0 + e + q * stiffness * s * loss);
     }
+    q
 }
 
 impl GroundSolver for Flexibility {
@@ -139,12 +135,14 @@ impl GroundSolver for Flexibility {
 
 impl PreparedGround for FlexibilityAt {
     fn surface(&self, k: f64) -> SurfaceCompliance {
-        surface_compliance(&self.in_plane(k), self.anti_plane(k), self.negative)
+        let Waves { layers, half_space, .. } = &self.waves;
+        let anti_plane = anti_plane(layers, *half_space, k);
+        surface_compliance(&in_plane(layers, *half_space, k), anti_plane, self.negative)
     }
 
     #[inline]
     fn u_zz(&self, k: f64) -> Complex64 {
-        let g = self.in_plane(k)[(1, 1)];
+        let g = in_plane(&self.waves.layers, self.waves.half_space, k)[(1, 1)];
         if self.negative { g.conj() } else { g }
     }
 

@@ -1,6 +1,6 @@
 //! Exact solvers against one another, over random valid grounds.
 
-use crate::draw::{Ground, ground};
+use crate::draw::{Ground, ground, ground_of};
 use crate::ground::{difference, finite_all};
 use crate::{Verdict, ask, report, within};
 use groundwave::soil::transfer_matrix::haskell;
@@ -48,6 +48,24 @@ fn without_stiffness(input: &Ground) -> Verdict {
         worst = worst.max(within(gap, 1e-9, || format!("k = {k}"))?);
     }
     Ok(worst)
+}
+
+/// Whatever is the default, without any allowance, against the compound matrix and flexibility, which form no stiffness.
+fn the_default(input: &Ground) -> Verdict {
+    let default = surface(Solver::default(), input)?;
+    let mut worst = 0.0f64;
+    for solver in [Solver::TransferMatrix, Solver::Flexibility] {
+        let gap = difference(&default, &surface(solver, input)?);
+        worst = worst.max(within(gap, 1e-9, || solver.name().into())?);
+    }
+    Ok(worst)
+}
+
+#[test]
+fn the_default_loses_nothing() {
+    // crusts of a millimetre, stiff over soft, waves of 600 km
+    let wide = ground_of((1e-3, 50.0), (1e-5, 2e3), (1e-3, 1e4));
+    report("default on wide grounds", ask(20_000, &wide, the_default));
 }
 
 #[test]

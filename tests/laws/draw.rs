@@ -90,7 +90,12 @@ fn soil() -> impl Strategy<Value = Soil> {
 
 /// A ground with k and ω over the given decades; every fourth ω is 0, every fourth lies among the wave speeds.
 pub fn ground(k: (f64, f64), omega: (f64, f64)) -> impl Strategy<Value = Ground> {
-    let layers = prop::collection::vec((log(0.05, 50.0), soil()), 0..=6);
+    ground_of((0.05, 50.0), k, omega)
+}
+
+/// The same with layers of the given `thickness` [m]: crusts too.
+pub fn ground_of(thickness: (f64, f64), k: (f64, f64), omega: (f64, f64)) -> impl Strategy<Value = Ground> {
+    let layers = prop::collection::vec((log(thickness.0, thickness.1), soil()), 0..=6);
     let base = prop_oneof![3 => soil().prop_map(Some), 1 => Just(None)];
     let frequency = prop_oneof![
         1 => Just((0.0, 0.0)),
