@@ -1,8 +1,10 @@
 //! The direct stiffness method: exact layer matrices condensed from the base upward.
 //!
-//! Source: Kausel & Roësset 1981, in the form of `layer_stiffness`. Accuracy: 1e-11 of the largest entry for kh → ∞ and
-//! any ω/(k c_s), ω = 0 included (test `cross_solver::surface_compliance`); a layer much thinner than 1/k costs
-//! (its μ/h)/(the ground's μk) in units of rounding, as in any stiffness method (tests `laws`).
+//! Source: Kausel & Roësset 1981, in the form of `layer_stiffness`. A layer much thinner than 1/k costs (its μ/h)/(the ground's μk)
+//! in units of rounding, as in any stiffness method; at the surface that product is watched, and where it is too large the
+//! flexibility method answers. Accuracy at the surface: 1e-9 of the largest entry, whatever the contrast, from crusts of a
+//! millimetre to waves of 600 km; measured 5.5e-10 of 2 000 000 grounds (test `laws::agreement`), 1e-11 for kh → ∞ and any
+//! ω/(k c_s), ω = 0 included (test `cross_solver::surface_compliance`). At depths the cost stays (tests `laws`).
 
 use super::chain::{self, inverse_symmetric, upside_down};
 use super::flexibility;
@@ -44,7 +46,7 @@ pub struct DirectStiffnessAt {
 }
 
 /// Largest stiffness of a layer times the compliance it is felt with at the surface, both of which are rounded, that leaves 1e-9 of G.
-const MOST: f64 = 1e4;
+const MOST: f64 = 3e3;
 
 type Block = Matrix2<Complex64>;
 
