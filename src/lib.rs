@@ -9,6 +9,7 @@
 //! | rank | module | what |
 //! |---|---|---|
 //! | 0 | [`math`] | quadrature, Fourier transforms with their signs and scales, interpolation, maxima |
+//! | 0 | [`columns`] | two columns of lengths from a CSV file, in the units of its header |
 //! | 0 | [`concern`], [`dataset`], [`figure`], [`progress`] | what studies hand on: doubts, arrays, pictures, progress |
 //! | 1 | [`soil`] | material → profile → compliance G(k, ω); the integral over a loaded strip; surface waves |
 //! | 1 | [`track`] | members (beams, masses) and links (springs, bars) in a vertical stack |
@@ -51,6 +52,7 @@
 
 pub mod assessment;
 pub mod case;
+pub mod columns;
 pub mod concern;
 pub mod contact;
 pub mod dataset;

@@ -3,7 +3,8 @@
 use super::error::{CaseError, Finding, from_toml};
 use super::schema::{CaseInput, SoilInput};
 use super::values::Named;
-use super::{ground, library, studies, track, train};
+use super::{ground, library, plausible, roughness, studies, track, train};
+use crate::concern::Concern;
 use crate::soil::{Profile, Solver};
 use crate::study::{Model, Study, Support};
 use serde::de::DeserializeOwned;
@@ -30,6 +31,8 @@ pub struct Case {
     pub witness: Option<Model>,
     /// What is asked.
     pub studies: Vec<Study>,
+    /// What its numbers may be doubted for: slips of unit, profiles with gaps.
+    pub concerns: Vec<Concern>,
 }
 
 /// Reads TOML into `T` with the key path of any fault.
@@ -78,6 +81,8 @@ pub(super) struct Loader<'a> {
     /// Reads a file beside the case.
     open: &'a dyn Fn(&str) -> Result<String, String>,
     files: RefCell<BTreeMap<String, String>>,
+    /// What every file beside the case that stands for a table stands for, its name and text.
+    tables: RefCell<Vec<(&'static str, String, String)>>,
     references: RefCell<Vec<String>>,
 }
 
@@ -116,6 +121,12 @@ impl Loader<'_> {
                         .help("the path is relative to the case file"),
                 )
             })?;
+            let root = match kind {
+                "soils" => "soil",
+                "tracks" => "track",
+                _ => "train",
+            };
+            self.tables.borrow_mut().push((root, wanted.clone(), text.clone()));
             (wanted.clone(), text)
         } else {
             let entry = library::find(kind, wanted, key).map_err(|finding| self.fault(finding))?;
@@ -128,6 +139,19 @@ impl Loader<'_> {
         };
         let table = read(&text, &name)?;
         Ok(Resolved { table, prefix: String::new(), name, text })
+    }
+
+    /// What is doubtful in the numbers of the case and of every file that stands for one of its tables, and what cannot be.
+    fn review(&self, input: &CaseInput) -> (Vec<CaseError>, Vec<Concern>) {
+        let (mut refused, mut concerns) = plausible::review("", self.name, self.text);
+        for (root, name, text) in self.tables.borrow().iter() {
+            let (more_refused, more) = plausible::review(root, name, text);
+            refused.extend(more_refused);
+            concerns.extend(more);
+        }
+        let profile = input.irregularity.iter().flat_map(|i| roughness::concerns(i, &|name| self.file(name)));
+        concerns.extend(profile);
+        (refused, concerns)
     }
 
     /// The ground, its solver and the one to verify it with.
@@ -200,7 +224,14 @@ impl Case {
         open: &dyn Fn(&str) -> Result<String, String>,
     ) -> Result<Self, CaseError> {
         let input: CaseInput = read(text, name)?;
-        let loader = Loader { name, text, open, files: RefCell::default(), references: RefCell::default() };
+        let loader = Loader {
+            name,
+            text,
+            open,
+            files: RefCell::default(),
+            tables: RefCell::default(),
+            references: RefCell::default(),
+        };
         let mut verify = None;
         let support = match (&input.soil, &input.foundation) {
             (Some(soil), None) => {
@@ -241,6 +272,10 @@ impl Case {
             .map_err(|e| loader.fault(Finding::new("soil.solver.verify", e)))?;
         let studies = studies::studies(&input, wheels.as_ref(), &|name| loader.file(name))
             .map_err(|f| loader.fault(f))?;
+        let (refused, concerns) = loader.review(&input);
+        if let Some(error) = refused.into_iter().next() {
+            return Err(error);
+        }
         for study in &studies {
             study.check(&model).map_err(|e| loader.fault(Finding::new(study.name(), e)))?;
         }
@@ -253,6 +288,7 @@ impl Case {
             model,
             witness,
             studies,
+            concerns,
         })
     }
 }

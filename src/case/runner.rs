@@ -107,7 +107,8 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
     }
     let verification =
         case.witness.as_ref().map(|witness| Verification::run(case, witness, &mut outcomes, observer));
-    let concerns: Vec<Concern> = outcomes.iter().flat_map(|(_, o)| o.concerns.clone()).collect();
+    let found = outcomes.iter().flat_map(|(_, o)| o.concerns.clone());
+    let concerns: Vec<Concern> = case.concerns.iter().cloned().chain(found).collect();
     if options.strict && !concerns.is_empty() {
         return Err(RunError::Strict { concerns });
     }
