@@ -138,6 +138,43 @@ fn given_profiles_shake_the_ground() {
 }
 
 #[test]
+fn a_profile_without_roughness_leaves_results_and_no_picture_of_forces() {
+    let flat = (0..400).map(|i| format!("{},0.0\n", 0.5 * f64::from(i))).collect::<String>();
+    let (code, out, err, folder) = run_beside(&format!("x_m,r_m\n{flat}"), &[TRACK, TRAIN, MEASURED, FIELD]);
+    assert_eq!(code, 0, "{err}");
+    assert!(out.contains("no-picture: there is no picture `contact_force`"), "{out}");
+    let at = |name: &str| folder.path().join("out").join(name);
+    assert!(
+        at("results.h5").exists() && at("free_field_8.png").exists() && !at("contact_force.png").exists()
+    );
+}
+
+#[test]
+fn bands_too_small_for_a_picture_are_gaps_in_its_curves() {
+    // a short sinusoid drives few bands, far apart from those of the axle loads
+    let field =
+        FIELD.replace("from = 2.0, to = 10.0", "from = 1.0, to = 63.0").replace("216 km/h", "100 km/h");
+    let wave = WAVE.replace("wavelength = 8.0", "wavelength = 0.7");
+    let (code, _, err, folder) = run(&[TRACK, TRAIN, &wave, &field]);
+    assert_eq!(code, 0, "{err}");
+    let at = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    let table = at("free_field_receiver_band.csv");
+    let mut rows = table.lines().filter(|l| !l.starts_with('#')).map(|l| l.split(',').collect::<Vec<_>>());
+    let header = rows.next().unwrap();
+    let total = header.iter().position(|h| h.starts_with("v_rms_total")).unwrap();
+    let values: Vec<f64> = rows.filter(|r| r[0] == "8").map(|r| r[total].parse().unwrap()).collect();
+    let largest = values.iter().copied().fold(0.0, f64::max);
+    let seen: Vec<bool> = values.iter().map(|v| *v > 1e-4 * largest).collect();
+    let pieces = seen.split(|s| !s).filter(|run| !run.is_empty()).count();
+    assert!(pieces > 1, "no gap to be seen: {values:?}");
+    // the total is the third curve; each piece is one path, or a circle where it is one point; one more path is in the legend
+    let svg = at("free_field_8.svg");
+    let drawn =
+        svg.lines().filter(|l| (l.contains("<path") || l.contains("<circle")) && l.contains("#009e73"));
+    assert_eq!(drawn.count(), pieces + 1, "{values:?}");
+}
+
+#[test]
 fn faults_of_profiles_are_named_at_their_key() {
     let long = MEASURED.replace("to = 50.0", "to = 500.0");
     let beyond = format!("{MEASURED}abreast = 300.0\n");

@@ -10,8 +10,28 @@ const PROGRAM: &str = "groundwave";
 
 /// Prefix of the folder in which results are gathered, beside the output folder; with the process number, so that an
 /// interrupted run can be swept up.
-pub fn staging_prefix() -> String {
+pub(super) fn staging_prefix() -> String {
     format!(".groundwave-{}-", std::process::id())
+}
+
+/// The same for the folder that an old one is moved into until the new one stands.
+fn replaced_prefix() -> String {
+    format!(".groundwave-replaced-{}-", std::process::id())
+}
+
+/// Removes what this run, interrupted, leaves beside `out`; an old folder that was moved away stands again.
+pub fn sweep(out: &Path) {
+    let above = out.parent().unwrap_or(out);
+    for entry in std::fs::read_dir(above).into_iter().flatten().flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let staged = name.starts_with(&staging_prefix());
+        let replaced = name.starts_with(&replaced_prefix());
+        // either folder stands there: what is left aside is no longer needed
+        let restored = || out.exists() || std::fs::rename(entry.path().join("old"), out).is_ok();
+        if staged || replaced && restored() {
+            let _ = std::fs::remove_dir_all(entry.path());
+        }
+    }
 }
 
 fn unwritable(path: &Path, reason: impl ToString) -> RunError {
@@ -122,7 +142,7 @@ pub(super) fn install(staging: &Path, out: &Path) -> Result<(), RunError> {
     }
     // not by the prefix that an interrupted run sweeps up
     let aside = tempfile::Builder::new()
-        .prefix(".groundwave-replaced-")
+        .prefix(&replaced_prefix())
         .tempdir_in(out.parent().unwrap_or(Path::new("/")))
         .map_err(failed)?;
     let old = aside.path().join("old");
@@ -136,4 +156,40 @@ pub(super) fn install(staging: &Path, out: &Path) -> Result<(), RunError> {
         return Err(failed(error));
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_interrupted_replacement_leaves_the_old_folder_and_nothing_else() {
+        let above = tempfile::tempdir().unwrap();
+        let place = |name: String| above.path().join(name);
+        let out = place("out".into());
+        // interrupted after the old folder was moved away, before the new one came
+        let old = place(format!("{}x/old", replaced_prefix()));
+        std::fs::create_dir_all(&old).unwrap();
+        std::fs::write(old.join("results.h5"), "old").unwrap();
+        std::fs::create_dir(place(format!("{}x", staging_prefix()))).unwrap();
+        // what another run gathers is not ours
+        std::fs::create_dir(place(".groundwave-0-x".into())).unwrap();
+        sweep(&out);
+        assert_eq!(std::fs::read_to_string(out.join("results.h5")).unwrap(), "old");
+        let mut left: Vec<_> =
+            std::fs::read_dir(above.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
+        left.sort();
+        assert_eq!(left, [".groundwave-0-x", "out"]);
+    }
+
+    #[test]
+    fn an_old_folder_comes_back_where_the_new_one_cannot_be_moved() {
+        let above = tempfile::tempdir().unwrap();
+        let out = above.path().join("out");
+        std::fs::create_dir(&out).unwrap();
+        sign(&out).unwrap();
+        install(&above.path().join("missing"), &out).unwrap_err();
+        assert!(out.join(MANIFEST).exists());
+        assert_eq!(std::fs::read_dir(above.path()).unwrap().count(), 1);
+    }
 }

@@ -4,7 +4,8 @@ use super::folder::{self, check_output, staging_prefix};
 use super::{Case, Verification, report};
 use crate::concern::Concern;
 use crate::dataset::{Attribute, Dataset};
-use crate::output::{OutputError, csv, hdf5, json, plot};
+use crate::output::plot::Picture;
+use crate::output::{OutputError, csv, hdf5, json, save};
 use crate::progress::Observer;
 use crate::study::{Answer, Outcome, StudyError};
 use rayon::prelude::*;
@@ -19,8 +20,6 @@ pub struct RunOptions {
     pub out: PathBuf,
     /// Replace an existing folder.
     pub overwrite: bool,
-    /// Concerns are failures.
-    pub strict: bool,
 }
 
 /// What a run found.
@@ -77,12 +76,6 @@ pub enum RunError {
     /// A file could not be written.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// Concerns under `--strict`.
-    #[error("{} concern(s) under --strict, nothing written:\n{}", concerns.len(), concerns.iter().map(|c| format!("  {c}")).collect::<Vec<_>>().join("\n"))]
-    Strict {
-        /// All of them.
-        concerns: Vec<Concern>,
-    },
 }
 
 /// The first few names of a list.
@@ -95,7 +88,7 @@ fn named(names: &[String]) -> String {
 /// Computes every study of `case`, a second time where it is to be verified, and writes HDF5, CSV, JSON, pictures and report.
 ///
 /// # Errors
-/// A folder that cannot be made, a study that fails, concerns under `strict`; then nothing is left behind.
+/// A folder that cannot be made, a study that fails; then nothing is left behind. A figure that holds nothing to draw is a concern.
 pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result<Summary, RunError> {
     let out = check_output(&options.out, options.overwrite)?;
     let mut outcomes: Vec<(&'static str, Outcome)> = Vec::new();
@@ -107,10 +100,8 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
     }
     let verification =
         case.witness.as_ref().map(|witness| Verification::run(case, witness, &mut outcomes, observer));
+    let drawings = draw(&mut outcomes);
     let concerns: Vec<Concern> = outcomes.iter().flat_map(|(_, o)| o.concerns.clone()).collect();
-    if options.strict && !concerns.is_empty() {
-        return Err(RunError::Strict { concerns });
-    }
     let unwritable =
         |e: std::io::Error| RunError::Unwritable { path: options.out.clone(), reason: e.to_string() };
     let parent = out.parent().unwrap_or(&out);
@@ -118,7 +109,7 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
     let staging =
         tempfile::Builder::new().prefix(&staging_prefix()).tempdir_in(parent).map_err(unwritable)?;
     observer.begin("writing", 1);
-    write(case, &outcomes, verification.as_ref(), &concerns, staging.path())?;
+    write(case, &outcomes, verification.as_ref(), &concerns, drawings, staging.path())?;
     let files = folder::sign(staging.path()).map_err(unwritable)?;
     folder::install(staging.path(), &out)?;
     open_to_readers(&out);
@@ -139,11 +130,48 @@ fn open_to_readers(folder: &Path) {
     let _ = folder;
 }
 
+/// A picture with the name of its files, its title and its caption.
+struct Drawing {
+    name: String,
+    title: String,
+    caption: String,
+    picture: Picture,
+}
+
+/// Every figure, drawn once for its files and the report; one that cannot be drawn is a concern of its study.
+fn draw(outcomes: &mut [(&'static str, Outcome)]) -> Vec<Drawing> {
+    // drawing a PNG takes longer than computing it
+    let drawn: Vec<Vec<Result<Picture, OutputError>>> = outcomes
+        .par_iter()
+        .map(|(_, outcome)| outcome.figures.par_iter().map(|(figure, _)| Picture::of(figure)).collect())
+        .collect();
+    let mut drawings = Vec::new();
+    for ((_, outcome), drawn) in outcomes.iter_mut().zip(drawn) {
+        for ((figure, caption), picture) in outcome.figures.iter().zip(drawn) {
+            match picture {
+                Ok(picture) => drawings.push(Drawing {
+                    name: figure.name().to_owned(),
+                    title: figure.title().to_owned(),
+                    caption: caption.clone(),
+                    picture,
+                }),
+                Err(error) => outcome.concerns.push(Concern::new(
+                    "no-picture",
+                    error.to_string(),
+                    "see the numbers in the tables: all of them zero, or none to be had",
+                )),
+            }
+        }
+    }
+    drawings
+}
+
 fn write(
     case: &Case,
     outcomes: &[(&'static str, Outcome)],
     verification: Option<&Verification>,
     concerns: &[Concern],
+    drawings: Vec<Drawing>,
     folder: &Path,
 ) -> Result<(), RunError> {
     let mut attributes: Vec<(String, Attribute)> = vec![
@@ -170,20 +198,13 @@ fn write(
     for (_, outcome) in outcomes {
         csv::write(&outcome.group, folder)?;
     }
-    // drawing a PNG takes longer than computing it
-    let pictures = outcomes
-        .par_iter()
-        .flat_map(|(_, outcome)| &outcome.figures)
-        .map(|(figure, caption)| {
-            plot::write(figure, folder)?;
-            Ok((figure.title().to_owned(), caption.clone(), plot::svg(figure)?))
-        })
-        .collect::<Result<Vec<_>, OutputError>>()?;
+    for drawing in &drawings {
+        drawing.picture.write(&drawing.name, folder)?;
+    }
     json::write(&summary(case, outcomes, verification, concerns), &folder.join("summary.json"))?;
-    let html = report::report(case, outcomes, verification, concerns, pictures).html();
-    let path = folder.join("report.html");
-    std::fs::write(&path, html).map_err(|source| OutputError::Write { path, source })?;
-    Ok(())
+    let figures = drawings.into_iter().map(|d| (d.title, d.caption, d.picture.svg)).collect();
+    let html = report::report(case, outcomes, verification, concerns, figures).html();
+    Ok(save(&folder.join("report.html"), html.as_bytes())?)
 }
 
 /// `summary.json`: one object per study with its answers as plain SI numbers, their units beside them.

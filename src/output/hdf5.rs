@@ -2,7 +2,7 @@
 //!
 //! The only file that knows the HDF5 library.
 
-use super::{OutputError, whole::whole};
+use super::OutputError;
 use crate::dataset::{Attribute, Dataset, Group, Variable};
 use ::hdf5::types::VarLenUnicode;
 use ::hdf5::{H5Dataset, H5File, H5Group, Hdf5Error};
@@ -31,22 +31,16 @@ pub fn write(dataset: &Dataset, path: &Path) -> Result<(), OutputError> {
     for group in &dataset.groups {
         check_dimensions(group, path)?;
     }
-    whole(path, |aside| {
-        let failed = |object: &str| {
-            let object = object.to_owned();
-            move |source: Hdf5Error| OutputError::Hdf5 {
-                path: path.to_owned(),
-                object,
-                source: Box::new(source),
-            }
-        };
-        let file = H5File::create(aside).map_err(failed("the file"))?;
-        write_attributes(&file.root_group(), &dataset.attributes).map_err(failed("the root attributes"))?;
-        for group in &dataset.groups {
-            write_group(&file, group).map_err(failed(&format!("the group {}", group.name)))?;
-        }
-        file.close().map_err(failed("the file"))
-    })
+    let failed = |object: &str| {
+        let object = object.to_owned();
+        move |source: Hdf5Error| OutputError::Hdf5 { path: path.to_owned(), object, source: Box::new(source) }
+    };
+    let file = H5File::create(path).map_err(failed("the file"))?;
+    write_attributes(&file.root_group(), &dataset.attributes).map_err(failed("the root attributes"))?;
+    for group in &dataset.groups {
+        write_group(&file, group).map_err(failed(&format!("the group {}", group.name)))?;
+    }
+    file.close().map_err(failed("the file"))
 }
 
 /// The text attribute `name` of the file at `path`.

@@ -12,6 +12,11 @@ use std::f64::consts::TAU;
 /// Share of the peak velocity at the ends of a history that counts as motion not died away.
 const LEFT: f64 = 0.05;
 
+/// `value` where a logarithmic picture has room for it beside `largest`, else a gap in the curve.
+fn seen(value: f64, largest: f64) -> f64 {
+    if value > 1e-4 * largest { value } else { f64::NAN }
+}
+
 /// A figure without its curves.
 fn figure(name: String, title: String, labels: (&str, &str), log: bool) -> LineFigure {
     LineFigure {
@@ -135,10 +140,11 @@ impl Answered<'_> {
         let labels = ("one-third-octave band [Hz]", "r.m.s. velocity [mm/s]");
         let row = |v: &Array2<f64>, r: usize| v.row(r).iter().map(|v| 1e3 * v).collect::<Vec<_>>();
         let largest = |v: &mut dyn Iterator<Item = &f64>| 1e3 * v.fold(0.0, |m: f64, v| m.max(*v));
-        // what is too small for a logarithmic picture is left out
-        let line = |name: String, y: Vec<f64>, stroke, largest: f64| {
-            let (x, y) = centres.iter().zip(y).filter(|(_, y)| *y > 1e-4 * largest).unzip();
-            Series { name, x, y, stroke }
+        let line = |name: String, y: Vec<f64>, stroke, largest: f64| Series {
+            name,
+            x: centres.clone(),
+            y: y.into_iter().map(|y| seen(y, largest)).collect(),
+            stroke,
         };
         let names = [("quasi-static", Stroke::Dashed), ("dynamic", Stroke::Points), ("total", Stroke::Solid)];
         let rough = study.roughness.is_some();
@@ -181,7 +187,7 @@ impl Answered<'_> {
                 y: sums(v),
                 stroke,
             });
-            picture.series = series.filter(|s| s.y.iter().all(|y| *y > 0.0)).collect();
+            picture.series = series.filter(|s| s.y.iter().any(|y| *y > 0.0)).collect();
             figures.push((Figure::Lines(picture), "R.m.s. velocity of all bands together.".into()));
         }
         figures
@@ -194,8 +200,7 @@ impl Answered<'_> {
             Irregularity::Given { .. } => ("amplitude [kN]", Stroke::Points),
         };
         let largest = self.driven.iter().map(|d| d.force).fold(0.0, f64::max);
-        let seen = self.driven.iter().filter(|d| d.force > 1e-4 * largest);
-        let (x, y) = seen.map(|d| (d.frequency, 1e-3 * d.force)).unzip();
+        let (x, y) = self.driven.iter().map(|d| (d.frequency, 1e-3 * seen(d.force, largest))).unzip();
         let title = format!("Dynamic wheel-rail force, {}", speed_text(self.pass.study.speed));
         let mut picture = figure("contact_force".into(), title, ("driving frequency v/λ [Hz]", label), true);
         picture.series = vec![Series { name: "leading wheelset".into(), x, y, stroke }];
