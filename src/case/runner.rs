@@ -101,6 +101,7 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
     let verification =
         case.witness.as_ref().map(|witness| Verification::run(case, witness, &mut outcomes, observer));
     let drawings = draw(&mut outcomes);
+    outcomes.iter_mut().for_each(|(_, outcome)| name_answers(outcome));
     let concerns: Vec<Concern> = outcomes.iter().flat_map(|(_, o)| o.concerns.clone()).collect();
     let unwritable =
         |e: std::io::Error| RunError::Unwritable { path: options.out.clone(), reason: e.to_string() };
@@ -128,6 +129,14 @@ fn open_to_readers(folder: &Path) {
     }
     #[cfg(not(unix))]
     let _ = folder;
+}
+
+/// Answers among the attributes as `answer_<key>`: an attribute with the name of a dataset is taken for it, by xarray above all.
+fn name_answers(outcome: &mut Outcome) {
+    let Outcome { group, answers, .. } = outcome;
+    group.attributes.retain(|(name, _)| answers.iter().all(|answer| answer.key != *name));
+    let named = answers.iter().map(|answer| (format!("answer_{}", answer.key), answer.value.into()));
+    group.attributes.extend(named);
 }
 
 /// A picture with the name of its files, its title and its caption.

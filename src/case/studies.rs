@@ -11,6 +11,7 @@ use super::train::Wheels;
 use super::values::{Named, Range, Speed};
 use crate::assessment::Band;
 use crate::field::{Quantity, Window};
+use crate::math::decimal::arithmetic;
 use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, ThinLayer};
 use crate::study::{
@@ -55,7 +56,7 @@ fn numbers(
                 return Err(Finding::new(path, format!("the range has {count:.0} values, more than {MOST}"))
                     .help("use a larger step"));
             }
-            (0..=count as usize).map(|i| from + step * i as f64).collect()
+            arithmetic(from, step, count as usize + 1)
         }
     };
     if values.is_empty() {

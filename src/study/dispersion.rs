@@ -13,8 +13,6 @@ use ndarray::{Array1, Array2, Axis};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Stands where there is no mode, and no wave of the track.
-const FILL: f64 = 0.0;
 /// Values of the map along frequency and along speed.
 const GRID: (usize, usize) = (240, 240);
 /// Share of the values at a frequency above which undamped ground, whose compliance has poles, is cut off.
@@ -132,10 +130,13 @@ impl Dispersion {
     fn group(&self, grounds: &[&Modes], track: &[Option<f64>], crossing: Option<Crossing>) -> Group {
         let table = |of: &dyn Fn(&Mode) -> f64| {
             Array2::from_shape_fn((grounds.len(), self.modes), |(i, j)| {
-                grounds[i].modes.get(j).and_then(|m| m.as_ref()).map_or(FILL, of)
+                grounds[i].modes.get(j).and_then(|m| m.as_ref()).map_or(f64::NAN, of)
             })
             .into_dyn()
         };
+        let found = Array2::from_shape_fn((grounds.len(), self.modes), |(i, j)| {
+            f64::from(u8::from(grounds[i].modes.get(j).is_some_and(Option::is_some)))
+        });
         let column = |values: Vec<f64>| Array1::from(values).into_dyn();
         let numbers: Vec<f64> = (0..self.modes).map(|i| i as f64).collect();
         let (along, both) = (["frequency"], ["frequency", "mode"]);
@@ -145,30 +146,30 @@ impl Dispersion {
             .variable(
                 "found",
                 &both,
-                table(&|_| 1.0),
+                found.into_dyn(),
                 "1",
-                "1 where the mode was found, 0 where values are fill",
+                "1 where the mode was found, 0 where its values are not a number",
             )
             .variable(
                 "phase_velocity",
                 &both,
                 table(&|m| m.phase_velocity),
                 "m s-1",
-                "phase velocity of the mode; fill 0 where found is 0",
+                "phase velocity of the mode; not a number where found is 0",
             )
             .variable(
                 "group_velocity",
                 &both,
                 table(&|m| m.group_velocity),
                 "m s-1",
-                "group velocity of the mode; fill 0 where found is 0",
+                "group velocity of the mode; not a number where found is 0",
             )
             .variable(
                 "attenuation",
                 &both,
                 table(&|m| m.attenuation),
                 "m-1",
-                "decay of the mode's amplitude per metre; fill 0 where found is 0",
+                "decay of the mode's amplitude per metre; not a number where found is 0",
             )
             .variable(
                 "count",
@@ -177,7 +178,6 @@ impl Dispersion {
                 "1",
                 "number of trapped modes of the undamped ground, counted independently",
             )
-            .attribute("fill_value", FILL)
             .attribute(
                 "wave",
                 match self.wave {
@@ -192,14 +192,14 @@ impl Dispersion {
                     &along,
                     column(track.iter().map(|c| f64::from(u8::from(c.is_some()))).collect()),
                     "1",
-                    "1 where the free track has a wave, 0 where track_phase_velocity is fill",
+                    "1 where the free track has a wave, 0 where track_phase_velocity is not a number",
                 )
                 .variable(
                     "track_phase_velocity",
                     &along,
-                    column(track.iter().map(|c| c.unwrap_or(FILL)).collect()),
+                    column(track.iter().map(|c| c.unwrap_or(f64::NAN)).collect()),
                     "m s-1",
-                    "phase velocity of the undamped track without ground; fill 0 where track_found is 0",
+                    "phase velocity of the undamped track without ground; not a number where track_found is 0",
                 );
         }
         match crossing {

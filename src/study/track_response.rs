@@ -4,6 +4,7 @@ use super::critical_speed::missed_accuracy;
 use super::{Answer, Model, Outcome, StudyError, speed_text};
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
+use crate::math::decimal::arithmetic;
 use crate::progress::Observer;
 use ndarray::Array2;
 
@@ -44,7 +45,7 @@ impl TrackResponse {
         let lead = train.axles()[0].position;
         let (from, to) = self.x.unwrap_or((-(train.length() + 40.0), 20.0));
         let count = ((to - from) / self.spacing + 1e-9).floor() as usize + 1;
-        let x: Vec<f64> = (0..count).map(|i| from + self.spacing * i as f64).collect();
+        let x = arithmetic(from, self.spacing, count);
         let mut rail = Array2::zeros((self.speeds.len(), count));
         let mut base = Array2::zeros((self.speeds.len(), count));
         let mut missed = Vec::new();

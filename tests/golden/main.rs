@@ -62,7 +62,8 @@ fn norms(case: &Case, study: &Study) -> Map<String, Value> {
         found.insert(answer.key.clone(), answer.value.into());
     }
     for variable in &outcome.group.variables {
-        let norm = variable.values.iter().map(|v| v * v).sum::<f64>().sqrt();
+        // absent modes are not a number
+        let norm = variable.values.iter().filter(|v| v.is_finite()).map(|v| v * v).sum::<f64>().sqrt();
         found.insert(format!("norm of {}", variable.name), norm.into());
     }
     found
