@@ -1,6 +1,6 @@
 //! What does the ground's surface around the train do?
 
-use super::critical_speed::missed_accuracy;
+use super::doubts::missed_accuracy;
 use super::track_response::tag;
 use super::{Answer, Contact, Model, Outcome, StudyError, speed_text};
 use crate::concern::Concern;

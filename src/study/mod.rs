@@ -4,6 +4,7 @@ pub mod comparison;
 mod contour;
 mod critical_speed;
 mod dispersion;
+mod doubts;
 mod equivalent_stiffness;
 mod free_field;
 mod model;
@@ -14,7 +15,7 @@ mod track_response;
 
 pub use comparison::Comparison;
 pub use contour::Contour;
-pub use critical_speed::CriticalSpeed;
+pub use critical_speed::{CriticalSpeed, Hump, Peak, Plateau, SpeedCurve, SpeedCurves};
 pub use dispersion::Dispersion;
 pub use equivalent_stiffness::EquivalentStiffness;
 pub use free_field::{Carrier, FreeField, Irregularity, Roughness};

@@ -1,6 +1,6 @@
 //! What shape have the rail and the ground under the track at given speeds?
 
-use super::critical_speed::missed_accuracy;
+use super::doubts::missed_accuracy;
 use super::{Answer, Model, Outcome, StudyError, speed_text};
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
