@@ -486,10 +486,53 @@ fn a_run_leaves_what_it_promises() {
     assert!(summary("a") == summary("c"));
     // a second time only when told to
     assert_eq!(code(&groundwave(&["run", "case.toml", "--out", "a"], here)), 2);
-    std::fs::write(here.join("a/stray"), "x").unwrap();
     run(&["run", "case.toml", "--out", "a", "--overwrite"]);
     assert_eq!(names_in(&here.join("a")), names);
     assert_eq!(names_in(here), ["a", "b", "c", "case.toml"]);
+}
+
+#[test]
+fn only_results_of_the_program_are_replaced() {
+    let (folder, _) = folder_with(&CASE);
+    let here = folder.path();
+    let run = |from: &Path, arguments: &[&str], wanted: i32| {
+        let output = groundwave(arguments, from);
+        assert_eq!(code(&output), wanted, "{arguments:?}: {}", err(&output));
+        flat(&output.stderr)
+    };
+    // a project with the case and a file of its own
+    let project = here.join("p");
+    std::fs::create_dir(&project).unwrap();
+    std::fs::rename(here.join("case.toml"), project.join("B.toml")).unwrap();
+    std::fs::write(project.join("m.csv"), "mine").unwrap();
+    let said = run(here, &["run", "p/B.toml", "--out", "p", "--overwrite"], 2);
+    assert!(said.contains("B.toml") && said.contains("m.csv"), "{said}");
+    run(&project, &["run", "B.toml", "--out", ".", "--overwrite"], 2);
+    run(&project, &["run", "B.toml", "--out", "../../", "--overwrite"], 2);
+    run(&project, &["run", "B.toml", "--out", "../p/", "--overwrite"], 2);
+    assert_eq!(names_in(&project), ["B.toml", "m.csv"]);
+    // a folder of results, from inside itself
+    run(&project, &["run", "B.toml", "--out", "out"], 0);
+    let out = project.join("out");
+    let names = names_in(&out);
+    run(&out, &["run", "../B.toml", "--out", "../out", "--overwrite"], 0);
+    assert_eq!(names_in(&out), names);
+    assert_eq!(names_in(&project), ["B.toml", "m.csv", "out"]);
+    // with a foreign file, a foreign folder, a manifest that is gone
+    for name in ["notes.txt", "drawings"] {
+        let foreign = out.join(name);
+        if name == "drawings" { std::fs::create_dir(&foreign) } else { std::fs::write(&foreign, "mine") }
+            .unwrap();
+        let said = run(&project, &["run", "B.toml", "--out", "out", "--overwrite"], 2);
+        assert!(said.contains(name), "{said}");
+        assert!(foreign.exists());
+        if name == "drawings" { std::fs::remove_dir(&foreign) } else { std::fs::remove_file(&foreign) }
+            .unwrap();
+    }
+    std::fs::remove_file(out.join("manifest.json")).unwrap();
+    run(&project, &["run", "B.toml", "--out", "out", "--overwrite"], 2);
+    assert_eq!(names_in(&project), ["B.toml", "m.csv", "out"]);
+    assert_eq!(names_in(&out).len(), names.len() - 1);
 }
 
 /// Every study but the contour, in a moment.

@@ -2,6 +2,7 @@
 
 mod checks;
 pub mod error;
+mod folder;
 mod ground;
 mod irregularity;
 pub mod library;
@@ -16,8 +17,9 @@ pub mod values;
 mod verification;
 
 pub use error::CaseError;
+pub use folder::{check_output, staging_prefix};
 pub use load::Case;
-pub use runner::{RunError, RunOptions, Summary, check_output, run, staging_prefix};
+pub use runner::{RunError, RunOptions, Summary, run};
 pub use verification::Verification;
 
 /// A commented case file to start from: what `groundwave new` writes.

@@ -1,5 +1,6 @@
 //! Runs a case and leaves its results, whole or not at all.
 
+use super::folder::{self, check_output, staging_prefix};
 use super::{Case, Verification, report};
 use crate::concern::Concern;
 use crate::dataset::{Attribute, Dataset};
@@ -44,6 +45,19 @@ pub enum RunError {
         /// Which.
         path: PathBuf,
     },
+    /// The output folder holds what this program did not write.
+    #[error(
+        "the output folder {path} holds what groundwave did not write there ({what}), and is not replaced: give another --out, or move \
+         it away",
+        path = path.display(),
+        what = named(foreign)
+    )]
+    Foreign {
+        /// Which.
+        path: PathBuf,
+        /// Names in it.
+        foreign: Vec<String>,
+    },
     /// The output folder cannot be made.
     #[error("cannot write to {path}: {reason}; give another --out", path = path.display())]
     Unwritable {
@@ -71,44 +85,11 @@ pub enum RunError {
     },
 }
 
-/// Prefix of the folder in which results are gathered, beside the output folder; with the process number, so that an
-/// interrupted run can be swept up.
-pub fn staging_prefix() -> String {
-    format!(".groundwave-{}-", std::process::id())
-}
-
-/// The folder in which `out` will stand.
-fn parent(out: &Path) -> PathBuf {
-    match out.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
-        _ => PathBuf::from("."),
-    }
-}
-
-/// Refuses an output folder that exists or cannot be made, before anything is computed. Leaves nothing behind.
-///
-/// # Errors
-/// `Exists`, `Unwritable`.
-pub fn check_output(out: &Path, overwrite: bool) -> Result<(), RunError> {
-    if out.symlink_metadata().is_ok() && !overwrite {
-        return Err(RunError::Exists { path: out.to_owned() });
-    }
-    let unwritable = |reason: String| RunError::Unwritable { path: out.to_owned(), reason };
-    if out.file_name().is_none() {
-        return Err(unwritable("the path names no folder".into()));
-    }
-    if out.is_file() {
-        return Err(unwritable("it is a file".into()));
-    }
-    // the nearest folder that exists must take a new one
-    let parent = parent(out);
-    let existing = parent.ancestors().find(|a| a.exists() || a.as_os_str().is_empty());
-    let existing = existing.filter(|a| !a.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    tempfile::Builder::new()
-        .prefix(&staging_prefix())
-        .tempdir_in(existing)
-        .map(|_| ())
-        .map_err(|e| unwritable(e.to_string()))
+/// The first few names of a list.
+fn named(names: &[String]) -> String {
+    let more = names.len().saturating_sub(5);
+    let first = names.iter().take(5).cloned().collect::<Vec<_>>().join(", ");
+    if more == 0 { first } else { format!("{first} and {more} more") }
 }
 
 /// Computes every study of `case`, a second time where it is to be verified, and writes HDF5, CSV, JSON, pictures and report.
@@ -116,7 +97,7 @@ pub fn check_output(out: &Path, overwrite: bool) -> Result<(), RunError> {
 /// # Errors
 /// A folder that cannot be made, a study that fails, concerns under `strict`; then nothing is left behind.
 pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result<Summary, RunError> {
-    check_output(&options.out, options.overwrite)?;
+    let out = check_output(&options.out, options.overwrite)?;
     let mut outcomes: Vec<(&'static str, Outcome)> = Vec::new();
     for study in &case.studies {
         let outcome = study
@@ -132,27 +113,15 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
     }
     let unwritable =
         |e: std::io::Error| RunError::Unwritable { path: options.out.clone(), reason: e.to_string() };
-    let parent = parent(&options.out);
-    std::fs::create_dir_all(&parent).map_err(unwritable)?;
+    let parent = out.parent().unwrap_or(&out);
+    std::fs::create_dir_all(parent).map_err(unwritable)?;
     let staging =
-        tempfile::Builder::new().prefix(&staging_prefix()).tempdir_in(&parent).map_err(unwritable)?;
+        tempfile::Builder::new().prefix(&staging_prefix()).tempdir_in(parent).map_err(unwritable)?;
     observer.begin("writing", 1);
     write(case, &outcomes, verification.as_ref(), &concerns, staging.path())?;
-    let mut files: Vec<String> = std::fs::read_dir(staging.path())
-        .map_err(unwritable)?
-        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
-        .collect();
-    files.sort();
-    // the old folder goes only when the new one is whole
-    if options.out.exists() {
-        let old =
-            tempfile::Builder::new().prefix(&staging_prefix()).tempdir_in(&parent).map_err(unwritable)?;
-        std::fs::rename(&options.out, old.path().join("old")).map_err(unwritable)?;
-        std::fs::rename(staging.path(), &options.out).map_err(unwritable)?;
-    } else {
-        std::fs::rename(staging.path(), &options.out).map_err(unwritable)?;
-    }
-    open_to_readers(&options.out);
+    let files = folder::sign(staging.path()).map_err(unwritable)?;
+    folder::install(staging.path(), &out)?;
+    open_to_readers(&out);
     observer.advance();
     observer.end();
     let answers = outcomes.into_iter().map(|(name, o)| (name, o.answers)).collect();

@@ -42,10 +42,7 @@ fn default_out(case: &Path) -> PathBuf {
 
 /// Removes what an interrupted run leaves beside its output folder.
 fn sweep_on_interrupt(out: &Path) {
-    let parent = match out.parent() {
-        Some(p) if !p.as_os_str().is_empty() => p.to_owned(),
-        _ => PathBuf::from("."),
-    };
+    let parent = out.parent().unwrap_or(out).to_owned();
     let _ = ctrlc::set_handler(move || {
         let prefix = staging_prefix();
         for entry in std::fs::read_dir(&parent).into_iter().flatten().flatten() {
@@ -70,11 +67,13 @@ pub fn run(arguments: &RunArguments) -> u8 {
         return FAILED;
     }
     let out = arguments.out.clone().unwrap_or_else(|| default_out(&arguments.case));
-    if let Err(error) = check_output(&out, arguments.overwrite) {
-        eprintln!("error: {error}");
-        return BAD_INPUT;
+    match check_output(&out, arguments.overwrite) {
+        Ok(whole) => sweep_on_interrupt(&whole),
+        Err(error) => {
+            eprintln!("error: {error}");
+            return BAD_INPUT;
+        }
     }
-    sweep_on_interrupt(&out);
     let started = Instant::now();
     let bar = Bar::new();
     let options = RunOptions { out: out.clone(), overwrite: arguments.overwrite, strict: arguments.strict };
@@ -85,7 +84,7 @@ pub fn run(arguments: &RunArguments) -> u8 {
             print(&case, &summary, &out, started);
             DONE
         }
-        Err(error @ (RunError::Exists { .. } | RunError::Unwritable { .. })) => {
+        Err(error @ (RunError::Exists { .. } | RunError::Foreign { .. } | RunError::Unwritable { .. })) => {
             eprintln!("error: {error}");
             BAD_INPUT
         }

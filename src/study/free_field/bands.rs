@@ -114,7 +114,13 @@ impl Slow {
                 Ok(study.receivers.iter().map(h).collect())
             })
             .collect::<Result<_, StudyError>>()?;
-        let converged = rows.iter().flatten().flatten().all(|h| h.1);
+        // velocities ω|h| of less than 1e-3 of a receiver's largest add 1e-6 of its energy: what is known of them does not count
+        let velocity =
+            |i: usize, r: usize| rows[i][r].map_or(0.0, |h| h.0.norm() * (low + step * i as f64).exp());
+        let converged = (0..study.receivers.len()).all(|r| {
+            let largest = (0..count).map(|i| velocity(i, r)).fold(0.0, f64::max);
+            (0..count).all(|i| rows[i][r].is_none_or(|h| h.1) || velocity(i, r) < 1e-3 * largest)
+        });
         let logarithm = |h: Option<(Complex64, bool)>| h.map(|h| h.0.norm_sqr().ln());
         let logarithms = rows.into_iter().map(|row| row.into_iter().map(logarithm).collect()).collect();
         Ok(Self { low, step, logarithms, converged })
