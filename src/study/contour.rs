@@ -1,6 +1,6 @@
 //! What does the ground's surface around the train do?
 
-use super::doubts::missed_accuracy;
+use super::doubts::{missed_accuracy, sinks_as_no_track_does};
 use super::track_response::tag;
 use super::{Answer, Contact, Model, Outcome, StudyError, speed_text};
 use crate::concern::Concern;
@@ -104,6 +104,7 @@ impl Contour {
         let mut outcome = self.outcome(&fields);
         let missed = self.speeds.iter().zip(converged).filter(|(_, ok)| !ok).map(|(v, _)| *v);
         outcome.concerns.extend(missed_accuracy(missed));
+        outcome.concerns.extend(sinks_as_no_track_does(model));
         outcome.concerns.extend(self.speeds.iter().filter_map(|v| model.outruns_waves(*v)));
         Ok(outcome)
     }

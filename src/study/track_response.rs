@@ -1,6 +1,6 @@
 //! What shape have the rail and the ground under the track at given speeds?
 
-use super::doubts::missed_accuracy;
+use super::doubts::{missed_accuracy, sinks_as_no_track_does};
 use super::{Answer, Model, Outcome, StudyError, speed_text};
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
@@ -155,6 +155,7 @@ impl TrackResponse {
             answers,
             concerns: missed_accuracy(missed.into_iter())
                 .into_iter()
+                .chain(sinks_as_no_track_does(model))
                 .chain(self.speeds.iter().filter_map(|v| model.outruns_waves(*v)))
                 .collect(),
         })

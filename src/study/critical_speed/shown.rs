@@ -168,10 +168,7 @@ impl SpeedCurves {
                     curve("heaviest axle alone", self.axle.amplification(), Stroke::Solid),
                     curve("this train", train.amplification(), Stroke::Solid),
                 ],
-                vec![
-                    critical,
-                    (train.peak.speed, format!("this train moves most {:.1} m/s", train.peak.speed)),
-                ],
+                vec![critical, (train.peak.speed, format!("train's largest {:.1} m/s", train.peak.speed))],
             ),
         };
         let figure = |name: &str, title: &str, y_label: &str, series, marks| {
@@ -210,7 +207,7 @@ impl SpeedCurves {
                 concerns.extend(beside(&self.axle.peak, &train.peak));
             }
         }
-        concerns.extend(static_deflection(self.of_train().at_rest));
+        concerns.extend(static_deflection(self.axle.at_rest));
         if let Some(speed) = self.long_wake {
             concerns.push(Concern::new(
                 "long-wake",

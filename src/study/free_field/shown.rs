@@ -1,19 +1,14 @@
-//! What a reader sees of the free field: answers, pictures, concerns.
+//! What a reader sees of the free field: answers and pictures.
 
-use super::metrics::{KB_F_MAXIMUM, MEASURES, TOLD, V_SLOW_MAXIMUM, VDV};
-use super::{Answered, Carrier, FreeField, Irregularity};
-use crate::assessment::{Level, Quantity, Reference, guide_values};
-use crate::concern::Concern;
+use super::metrics::{MEASURES, TOLD, V_SLOW_MAXIMUM};
+use super::{Answered, Irregularity};
+use crate::assessment::{Level, Reference};
 use crate::figure::{Figure, LineFigure, Series, Stroke};
-use crate::study::{Answer, Model, StudyError, speed_text};
+use crate::study::{Answer, StudyError, speed_text};
 use ndarray::Array2;
-use std::f64::consts::TAU;
-
-/// Share of the peak velocity at the ends of a history that counts as motion not died away.
-const LEFT: f64 = 0.05;
 
 /// A figure without its curves.
-fn figure(name: String, title: String, labels: (&str, &str), log: bool) -> LineFigure {
+pub(super) fn figure(name: String, title: String, labels: (&str, &str), log: bool) -> LineFigure {
     LineFigure {
         name,
         title,
@@ -243,158 +238,5 @@ impl Answered<'_> {
         let caption = "Weighted vibration severity of the ground's surface after DIN 45669-1, FAST.";
         figures.push((Figure::Lines(picture), format!("{caption} {}", self.which())));
         figures
-    }
-
-    /// Measures against distance with the guide values of standards, which hold inside buildings and for what the standard says.
-    fn guide_figures(&self) -> Vec<(Figure, String)> {
-        let study = self.pass.study;
-        let ends = [0.9 * study.receivers[0], 1.1 * study.farthest()];
-        let picture = |m: usize, name: &str, quantities: &[Quantity], level: bool| {
-            let convert = |v: f64| if level { 20.0 * (v / Reference::VdB.velocity()).log10() } else { v };
-            let measure = &MEASURES[m];
-            let unit = if level { "VdB re 1 µin/s" } else { measure.unit() };
-            let y_label = format!("{} [{}]", measure.symbol, if unit == "1" { "-" } else { unit });
-            let title = format!("{} against distance, {}", measure.symbol, speed_text(study.speed));
-            let labels = ("distance from the centre line [m]", y_label.as_str());
-            let mut picture = figure(format!("free_field_{name}"), title, labels, true);
-            picture.log_y = !level;
-            let points = |name: &str, pick: fn((f64, f64, f64)) -> f64, stroke| Series {
-                name: name.into(),
-                x: study.receivers.clone(),
-                y: (0..study.receivers.len()).map(|r| convert(pick(self.metrics.spread(m, r)))).collect(),
-                stroke,
-            };
-            if self.histories.len() > 1 {
-                picture.series.push(points("mean of the profiles", |s| s.0, Stroke::Solid));
-                picture.series.push(points("largest of the profiles", |s| s.2, Stroke::Points));
-            } else {
-                picture.series.push(points(measure.symbol, |s| s.0, Stroke::Solid));
-            }
-            let mut notes = Vec::new();
-            for guide in quantities.iter().flat_map(|q| guide_values(*q)) {
-                let name = format!("{}: {}", guide.standard.split(':').next().unwrap_or(""), guide.name);
-                notes.push(format!("{}, {}: {} ({})", guide.standard, guide.name, guide.value, guide.note));
-                // one line for those that coincide, as far as a legend is wide
-                let same = |s: &&mut Series| {
-                    s.stroke == Stroke::Dashed && s.y == [guide.value; 2] && s.name.len() + name.len() < 90
-                };
-                match picture.series.iter_mut().find(same) {
-                    Some(line) => line.name = format!("{}; {name}", line.name),
-                    None => picture.series.push(Series {
-                        name,
-                        x: ends.to_vec(),
-                        y: vec![guide.value; 2],
-                        stroke: Stroke::Dashed,
-                    }),
-                }
-            }
-            let caption = format!(
-                "{}, on the ground's surface without a building; guide values, which hold inside buildings, are drawn to compare, not to judge: {}.",
-                measure.what,
-                notes.join("; ")
-            );
-            (Figure::Lines(picture), caption)
-        };
-        vec![
-            picture(KB_F_MAXIMUM, "kb_distance", &[Quantity::KbFMaximum, Quantity::VMaximum], false),
-            picture(V_SLOW_MAXIMUM, "level_distance", &[Quantity::VelocityLevel(Reference::VdB)], true),
-            picture(VDV, "vdv_distance", &[Quantity::VibrationDose], false),
-        ]
-    }
-
-    /// What the histories may be doubted for.
-    pub(super) fn concerns(&self) -> Vec<Concern> {
-        let mut concerns = Vec::new();
-        let left = |history: &Array2<f64>| {
-            let rows = history.rows().into_iter().map(|row| {
-                let end = (row.len() / 50).max(1);
-                let size =
-                    |values: &mut dyn Iterator<Item = &f64>| values.fold(0.0f64, |m, v| m.max(v.abs()));
-                let ends = size(&mut row.iter().take(end)).max(size(&mut row.iter().rev().take(end)));
-                ends / size(&mut row.iter()).max(f64::MIN_POSITIVE)
-            });
-            rows.fold(0.0, f64::max)
-        };
-        let left = self.histories.iter().map(left).fold(0.0, f64::max);
-        if left > LEFT && self.pass.study.roughness.is_some() {
-            concerns.push(Concern::new(
-                "history-ends",
-                format!(
-                    "{:.0} % of the peak velocity are left at the ends of a history: as much of what comes earlier or later is folded into it",
-                    100.0 * left
-                ),
-                "waves fade slowly there (light damping, far receivers); bands of a spectrum's expected value are free of it",
-            ));
-        }
-        if let Some(Irregularity::Given { profile, carrier, .. }) =
-            self.pass.study.roughness.as_ref().map(|r| &r.irregularity)
-        {
-            let way = self.pass.study.speed * self.times.period() + self.pass.train.length();
-            // what repeats by itself, as a wheel and a sinusoid do, may
-            if *carrier == Carrier::Rail && profile.components().len() > 1 && profile.repeat_length() < way {
-                concerns.push(Concern::new(
-                    "profile-repeats",
-                    format!(
-                        "the profile is {:.0} m long and repeats; the train runs {way:.0} m in the histories",
-                        profile.repeat_length()
-                    ),
-                    "measure a longer profile; the middle of it lies abreast of the receivers, where it matters most",
-                ));
-            }
-        }
-        concerns
-    }
-}
-
-impl FreeField {
-    /// Speeds and wavelengths the result may be doubted for.
-    pub(super) fn concerns(&self, model: &Model) -> Vec<Concern> {
-        let mut concerns: Vec<Concern> = model.outruns_waves(self.speed).into_iter().collect();
-        if let Ok((profile, _)) = model.ground("free_field") {
-            let slowest = profile.slowest_rayleigh_speed();
-            if self.speed >= slowest {
-                concerns.push(Concern::new(
-                    "faster-than-rayleigh",
-                    format!(
-                        "{} is not below the slowest Rayleigh wave of the ground ({slowest:.1} m/s): the axle loads alone radiate",
-                        speed_text(self.speed)
-                    ),
-                    "see the critical speed of this train and track with [critical_speed]",
-                ));
-            }
-        }
-        let Some(roughness) = &self.roughness else { return concerns };
-        let (low, high) = roughness.irregularity.wavenumbers();
-        let (shortest, longest) = (TAU / high, TAU / low);
-        if let Irregularity::Random { spectrum, .. } = &roughness.irregularity
-            && let Some((least, most)) = spectrum.valid()
-            && (shortest < 0.999 * least || longest > 1.001 * most)
-        {
-            concerns.push(Concern::new(
-                "spectrum-range",
-                format!(
-                    "wavelengths {shortest:.4} to {longest:.4} m go beyond those for which the spectrum is published, {least} to {most} m"
-                ),
-                "narrow irregularity.wavelengths, or read the bands driven by them as extrapolated",
-            ));
-        }
-        let (low, high) = (self.speed / longest, self.speed / shortest);
-        // a given profile drives what it drives
-        if matches!(roughness.irregularity, Irregularity::Random { .. })
-            && let (Some(first), Some(last)) = (self.bands.first(), self.bands.last())
-            && (first.lower() < low || last.upper() > high)
-        {
-            concerns.push(Concern::new(
-                "bands-without-drive",
-                format!(
-                    "at {} the profile drives {low:.2} to {high:.1} Hz, the bands reach from {:.2} to {:.1} Hz",
-                    speed_text(self.speed),
-                    first.lower(),
-                    last.upper()
-                ),
-                "widen irregularity.wavelengths, or narrow free_field.frequencies; outside, the dynamic part is too small",
-            ));
-        }
-        concerns
     }
 }
