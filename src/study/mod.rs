@@ -9,7 +9,6 @@ mod equivalent_stiffness;
 mod free_field;
 mod model;
 mod receptance;
-mod receptance_map;
 mod surface_compliance;
 mod track_response;
 
@@ -17,13 +16,12 @@ pub use comparison::Comparison;
 pub use contour::Contour;
 pub use critical_speed::{CriticalSpeed, Hump, Peak, Plateau, SpeedCurve, SpeedCurves};
 pub use dispersion::Dispersion;
-pub use equivalent_stiffness::EquivalentStiffness;
+pub use equivalent_stiffness::{EquivalentStiffness, StiffnessTable};
 pub use free_field::{Carrier, FreeField, Irregularity, Roughness};
 pub use model::{Contact, Model, Support};
-pub use receptance::Receptance;
-pub use receptance_map::ReceptanceMap;
-pub use surface_compliance::SurfaceComplianceTable;
-pub use track_response::{Record, TrackResponse, same_speed, tag};
+pub use receptance::{Receptance, ReceptanceMap, Receptances, Surface};
+pub use surface_compliance::{Compliances, SurfaceComplianceTable};
+pub use track_response::{Record, TrackResponse, TrackShapes, same_speed, tag};
 
 use crate::concern::Concern;
 use crate::dataset::Group;

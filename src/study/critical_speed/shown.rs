@@ -173,16 +173,10 @@ impl SpeedCurves {
         };
         let figure = |name: &str, title: &str, y_label: &str, series, marks| {
             Figure::Lines(LineFigure {
-                name: name.into(),
-                title: title.into(),
-                x_label: "speed [m/s]".into(),
-                y_label: y_label.into(),
                 second_x: Some(SecondAxis { label: "speed [km/h]".into(), factor: 3.6 }),
-                y_down: false,
-                log_x: false,
-                log_y: false,
                 series,
                 marks,
+                ..LineFigure::new(name, title, "speed [m/s]", y_label)
             })
         };
         let (title, label) = ("Rail deflection against speed", "rail deflection [mm]");

@@ -9,18 +9,7 @@ use ndarray::Array2;
 
 /// A figure without its curves.
 pub(super) fn figure(name: String, title: String, labels: (&str, &str), log: bool) -> LineFigure {
-    LineFigure {
-        name,
-        title,
-        x_label: labels.0.into(),
-        y_label: labels.1.into(),
-        second_x: None,
-        y_down: false,
-        log_x: log,
-        log_y: log,
-        series: Vec::new(),
-        marks: Vec::new(),
-    }
+    LineFigure { log_x: log, log_y: log, ..LineFigure::new(name, title, labels.0, labels.1) }
 }
 
 impl Answered<'_> {
