@@ -1,4 +1,5 @@
-//! One file per question an engineer asks.
+//! One folder per question an engineer asks: its `solve` answers with a typed result, its `shown` turns that into arrays, pictures,
+//! answers and concerns.
 
 pub mod comparison;
 mod contour;
@@ -13,9 +14,9 @@ mod surface_compliance;
 mod track_response;
 
 pub use comparison::Comparison;
-pub use contour::Contour;
+pub use contour::{Contour, GroundMaps};
 pub use critical_speed::{CriticalSpeed, Hump, Peak, Plateau, SpeedCurve, SpeedCurves};
-pub use dispersion::Dispersion;
+pub use dispersion::{Crossing, Dispersion, DispersionCurves};
 pub use equivalent_stiffness::{EquivalentStiffness, StiffnessTable};
 pub use free_field::{Carrier, FreeField, Irregularity, Roughness};
 pub use model::{Contact, Model, Support};

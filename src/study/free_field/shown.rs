@@ -2,7 +2,7 @@
 
 use super::metrics::{MEASURES, TOLD, V_SLOW_MAXIMUM};
 use super::{Answered, Irregularity};
-use crate::assessment::{Level, Reference};
+use crate::assessment::{Band, Level, Reference};
 use crate::figure::{Figure, LineFigure, Series, Stroke};
 use crate::study::{Answer, StudyError, speed_text};
 use ndarray::Array2;
@@ -13,83 +13,84 @@ pub(super) fn figure(name: String, title: String, labels: (&str, &str), log: boo
 }
 
 impl Answered<'_> {
-    /// Levels, strongest bands, where the dynamic part takes over, and measures, for each receiver.
+    /// R.m.s. of the profile; levels, strongest bands, where the dynamic part takes over, and measures, for each receiver.
     pub(super) fn answers(&self, velocities: &[Array2<f64>; 3]) -> Result<Vec<Answer>, StudyError> {
-        let study = self.pass.study;
-        let [quasi_static, dynamic, total] = velocities;
-        let mut answers = Vec::new();
-        if let Some(roughness) = &study.roughness {
-            let sigma = roughness.irregularity.rms();
-            let what = match &roughness.irregularity {
-                Irregularity::Random { wavelengths: (from, to), .. } => {
-                    format!("R.m.s. of the profile, wavelengths {from} to {to} m")
-                }
-                Irregularity::Given { .. } => "R.m.s. of the profile".into(),
-            };
-            answers.push(Answer::new("profile_rms", what, sigma, "m", format!("{:.3} mm", 1e3 * sigma)));
-        }
-        for (r, y) in study.receivers.iter().enumerate() {
-            let broadband = |v: &Array2<f64>| v.row(r).iter().map(|v| v * v).sum::<f64>().sqrt();
-            let mut add = |key: &str, what: String, value: f64, unit, shown: String| {
-                answers.push(Answer::new(&format!("{key}_{y}"), what, value, unit, shown));
-            };
-            let value = broadband(total);
-            let level = if value > 0.0 {
-                Level::of(value, Reference::Iso1683)?.to_string()
-            } else {
-                "less than 1e-10 of what the track feels arrives".into()
-            };
-            let parts = (1e3 * broadband(quasi_static), 1e3 * broadband(dynamic));
-            add(
-                "v_rms",
-                format!("R.m.s. velocity at {y} m over {:.2} s, all bands", self.pass.passage_time),
-                value,
-                "m/s",
-                format!(
-                    "{:.4} mm/s (quasi-static {:.4}, dynamic {:.4}), {level}",
-                    1e3 * value,
-                    parts.0,
-                    parts.1
-                ),
-            );
-            let row = total.row(r);
-            let top = (0..row.len()).max_by(|&a, &b| row[a].total_cmp(&row[b])).unwrap_or(0);
-            let peak = study.bands[top];
-            add(
-                "peak_band",
-                format!("Strongest band at {y} m"),
-                peak.centre(),
-                "Hz",
-                format!("{} Hz, {:.4} mm/s", peak.label(), 1e3 * row[top]),
-            );
-            // the first band from which on the dynamic part prevails
-            let last = (0..row.len()).rev().find(|&b| quasi_static[(r, b)] > dynamic[(r, b)]);
-            if let Some(crossing) = last.filter(|b| b + 1 < row.len() && study.roughness.is_some()) {
-                let band = study.bands[crossing + 1];
-                add(
-                    "crossing_band",
-                    format!("Band from which on the dynamic part prevails at {y} m"),
-                    band.centre(),
-                    "Hz",
-                    format!("{} Hz", band.label()),
-                );
-            }
+        let mut answers: Vec<Answer> = self.profile_answer().into_iter().collect();
+        for (r, y) in self.pass.study.receivers.iter().enumerate() {
+            answers.push(self.level_answer(velocities, r, *y)?);
+            answers.extend(self.band_answers(velocities, r, *y));
             for m in TOLD {
-                let measure = &MEASURES[m];
-                let (mean, least, most) = self.metrics.spread(m, r);
-                let mut shown = measure.shown(mean);
-                if self.histories.len() > 1 {
-                    let spread = (measure.number(least), measure.number(most));
-                    shown =
-                        format!("{shown}, {} to {} in {} profiles", spread.0, spread.1, self.histories.len());
-                }
-                if m == V_SLOW_MAXIMUM {
-                    shown = format!("{shown}; {}", Level::of(mean, Reference::VdB)?);
-                }
-                add(measure.key, format!("{} at {y} m", measure.symbol), mean, measure.unit(), shown);
+                answers.push(self.measure_answer(m, r, *y)?);
             }
         }
         Ok(answers)
+    }
+
+    fn profile_answer(&self) -> Option<Answer> {
+        let irregularity = &self.pass.study.roughness.as_ref()?.irregularity;
+        let what = match irregularity {
+            Irregularity::Random { wavelengths: (from, to), .. } => {
+                format!("R.m.s. of the profile, wavelengths {from} to {to} m")
+            }
+            Irregularity::Given { .. } => "R.m.s. of the profile".into(),
+        };
+        let sigma = irregularity.rms();
+        Some(Answer::new("profile_rms", what, sigma, "m", format!("{:.3} mm", 1e3 * sigma)))
+    }
+
+    fn level_answer(&self, velocities: &[Array2<f64>; 3], r: usize, y: f64) -> Result<Answer, StudyError> {
+        let broadband = |v: &Array2<f64>| v.row(r).iter().map(|v| v * v).sum::<f64>().sqrt();
+        let [quasi_static, dynamic, value] = [0, 1, 2].map(|part| broadband(&velocities[part]));
+        let level = if value > 0.0 {
+            Level::of(value, Reference::Iso1683)?.to_string()
+        } else {
+            "less than 1e-10 of what the track feels arrives".into()
+        };
+        let what = format!("R.m.s. velocity at {y} m over {:.2} s, all bands", self.pass.passage_time);
+        let (parts, whole) = ((1e3 * quasi_static, 1e3 * dynamic), 1e3 * value);
+        let shown = format!("{whole:.4} mm/s (quasi-static {:.4}, dynamic {:.4}), {level}", parts.0, parts.1);
+        Ok(Answer::new(&format!("v_rms_{y}"), what, value, "m/s", shown))
+    }
+
+    /// The strongest band, and the first from which on the dynamic part prevails.
+    fn band_answers(
+        &self,
+        [quasi_static, dynamic, total]: &[Array2<f64>; 3],
+        r: usize,
+        y: f64,
+    ) -> Vec<Answer> {
+        let study = self.pass.study;
+        let answer = |key: &str, what: &str, band: Band, shown: String| {
+            Answer::new(&format!("{key}_{y}"), format!("{what} at {y} m"), band.centre(), "Hz", shown)
+        };
+        let row = total.row(r);
+        let top = (0..row.len()).max_by(|&a, &b| row[a].total_cmp(&row[b])).unwrap_or(0);
+        let peak = study.bands[top];
+        let shown = format!("{} Hz, {:.4} mm/s", peak.label(), 1e3 * row[top]);
+        let mut answers = vec![answer("peak_band", "Strongest band", peak, shown)];
+        let last = (0..row.len()).rev().find(|&b| quasi_static[(r, b)] > dynamic[(r, b)]);
+        if let Some(crossing) = last.filter(|b| b + 1 < row.len() && study.roughness.is_some()) {
+            let band = study.bands[crossing + 1];
+            let what = "Band from which on the dynamic part prevails";
+            answers.push(answer("crossing_band", what, band, format!("{} Hz", band.label())));
+        }
+        answers
+    }
+
+    /// Measure number `m`: its mean over the profiles, and from where to where it reaches.
+    fn measure_answer(&self, m: usize, r: usize, y: f64) -> Result<Answer, StudyError> {
+        let measure = &MEASURES[m];
+        let (mean, least, most) = self.metrics.spread(m, r);
+        let mut shown = measure.shown(mean);
+        if self.histories.len() > 1 {
+            let (least, most) = (measure.number(least), measure.number(most));
+            shown = format!("{shown}, {least} to {most} in {} profiles", self.histories.len());
+        }
+        if m == V_SLOW_MAXIMUM && mean > 0.0 {
+            shown = format!("{shown}; {}", Level::of(mean, Reference::VdB)?);
+        }
+        let what = format!("{} at {y} m", measure.symbol);
+        Ok(Answer::new(&format!("{}_{y}", measure.key), what, mean, measure.unit(), shown))
     }
 
     /// Which profile the histories belong to.
