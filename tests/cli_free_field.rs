@@ -69,9 +69,13 @@ fn a_free_field_leaves_what_it_promises() {
         "10 of these profiles (seeds from 1)",
         "to compare, not to judge",
         "DIN 4150-2:1999, A_u residential, night: 0.1",
+        "n like passes have n^¼ times the dose of one",
     ] {
         assert!(report.contains(said), "{said}");
     }
+    // guide values are the dashed lines: KB has some, the dose of one pass none
+    let drawn = |name: &str| std::fs::read_to_string(at(name)).unwrap().contains("stroke-dasharray");
+    assert!(drawn("free_field_kb_distance.svg") && !drawn("free_field_vdv_distance.svg"));
 }
 
 #[test]
@@ -255,4 +259,20 @@ fn faults_are_named_at_their_key() {
         }
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "{says:?}");
     }
+}
+
+/// A wave of 5 mm over 2 m at 216 km/h throws the wheel off the rail, which the linear contact does not know.
+#[test]
+fn a_wheel_that_would_lift_is_told() {
+    let steep = "[irregularity]\nkind = \"sinusoidal\"\nwavelength = 2.0\namplitude = 5e-3\n";
+    let field = FIELD.replace("to = 10.0", "to = 40.0");
+    let (code, out, err, _folder) = run(&[TRACK, TRAIN, steep, &field]);
+    assert_eq!(code, 0, "{err}");
+    for said in
+        ["wheel-lifts", "the wheel would lift", "the linear contact then pulls", "static load is 1.500e2 kN"]
+    {
+        assert!(out.contains(said), "no \"{said}\" in: {out}");
+    }
+    let (_, out, _, _folder) = run(&[TRACK, TRAIN, WAVE, FIELD]);
+    assert!(!out.contains("wheel-lifts"), "{out}");
 }
