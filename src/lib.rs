@@ -9,6 +9,7 @@
 //! | rank | module | what |
 //! |---|---|---|
 //! | 0 | [`math`] | quadrature, Fourier transforms with their signs and scales, interpolation, maxima |
+//! | 0 | [`memory`] | how much is free |
 //! | 0 | [`quantity`] | numbers that must lie in their range, by their keys in case files |
 //! | 0 | [`concern`], [`dataset`], [`figure`], [`progress`] | what studies hand on: doubts, arrays, pictures, progress |
 //! | 1 | [`soil`] | material → profile → compliance G(k, ω); the integral over a loaded strip; surface waves |
@@ -60,6 +61,7 @@ pub mod figure;
 pub mod foundation;
 pub mod irregularity;
 pub mod math;
+pub mod memory;
 pub mod output;
 pub mod progress;
 pub mod quantity;

@@ -17,7 +17,7 @@ pub mod values;
 mod verification;
 
 pub use error::CaseError;
-pub use folder::{check_output, sweep};
+pub use folder::{FolderError, check_output, sweep};
 pub use load::Case;
 pub use runner::{RunError, RunOptions, Summary, run};
 pub use verification::Verification;

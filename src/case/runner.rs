@@ -1,6 +1,6 @@
 //! Runs a case and leaves its results, whole or not at all.
 
-use super::folder::{self, check_output, staging_prefix};
+use super::folder::{self, FolderError, check_output};
 use super::{Case, Verification, report};
 use crate::concern::Concern;
 use crate::dataset::{Attribute, Dataset};
@@ -38,33 +38,9 @@ pub struct Summary {
 /// Why a run has no result.
 #[derive(Debug, Error)]
 pub enum RunError {
-    /// The output folder exists.
-    #[error("the output folder {path} exists: give another --out, or --overwrite to replace it", path = path.display())]
-    Exists {
-        /// Which.
-        path: PathBuf,
-    },
-    /// The output folder holds what this program did not write.
-    #[error(
-        "the output folder {path} holds what groundwave did not write there ({what}), and is not replaced: give another --out, or move \
-         it away",
-        path = path.display(),
-        what = named(foreign)
-    )]
-    Foreign {
-        /// Which.
-        path: PathBuf,
-        /// Names in it.
-        foreign: Vec<String>,
-    },
-    /// The output folder cannot be made.
-    #[error("cannot write to {path}: {reason}; give another --out", path = path.display())]
-    Unwritable {
-        /// Which.
-        path: PathBuf,
-        /// Why.
-        reason: String,
-    },
+    /// The output folder is in the way, or cannot be made.
+    #[error(transparent)]
+    Folder(#[from] FolderError),
     /// A study failed.
     #[error("{study}: {source}")]
     Study {
@@ -76,13 +52,6 @@ pub enum RunError {
     /// A file could not be written.
     #[error(transparent)]
     Output(#[from] OutputError),
-}
-
-/// The first few names of a list.
-fn named(names: &[String]) -> String {
-    let more = names.len().saturating_sub(5);
-    let first = names.iter().take(5).cloned().collect::<Vec<_>>().join(", ");
-    if more == 0 { first } else { format!("{first} and {more} more") }
 }
 
 /// Computes every study of `case`, a second time where it is to be verified, and writes HDF5, CSV, JSON, pictures and report.
@@ -103,32 +72,15 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
     let drawings = draw(&mut outcomes);
     outcomes.iter_mut().for_each(|(_, outcome)| name_answers(outcome));
     let concerns: Vec<Concern> = outcomes.iter().flat_map(|(_, o)| o.concerns.clone()).collect();
-    let unwritable =
-        |e: std::io::Error| RunError::Unwritable { path: options.out.clone(), reason: e.to_string() };
-    let parent = out.parent().unwrap_or(&out);
-    std::fs::create_dir_all(parent).map_err(unwritable)?;
-    let staging =
-        tempfile::Builder::new().prefix(&staging_prefix()).tempdir_in(parent).map_err(unwritable)?;
+    let staging = folder::stage(&out)?;
     observer.begin("writing", 1);
     write(case, &outcomes, verification.as_ref(), &concerns, drawings, staging.path())?;
-    let files = folder::sign(staging.path()).map_err(unwritable)?;
-    folder::install(staging.path(), &out)?;
-    open_to_readers(&out);
+    let files = folder::sign(staging.path())?;
+    folder::install(staging, &out)?;
     observer.advance();
     observer.end();
     let answers = outcomes.into_iter().map(|(name, o)| (name, o.answers)).collect();
     Ok(Summary { answers, verification, concerns, files })
-}
-
-/// A temporary folder is closed to others; a result is as open as any folder.
-fn open_to_readers(folder: &Path) {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        let _ = std::fs::set_permissions(folder, std::fs::Permissions::from_mode(0o755));
-    }
-    #[cfg(not(unix))]
-    let _ = folder;
 }
 
 /// Answers among the attributes as `answer_<key>`: an attribute with the name of a dataset is taken for it, by xarray above all.

@@ -83,7 +83,7 @@ pub fn run(arguments: &RunArguments) -> u8 {
             }
             DONE
         }
-        Err(error @ (RunError::Exists { .. } | RunError::Foreign { .. } | RunError::Unwritable { .. })) => {
+        Err(error @ RunError::Folder(_)) => {
             eprintln!("error: {error}");
             BAD_INPUT
         }

@@ -1,7 +1,7 @@
 //! The points of a figure's curves: which can be shown, and the ranges they need.
 
 use super::axis::{PLACES, step};
-use super::canvas::Point;
+use super::page::Point;
 use crate::figure::{LineFigure, Series, Stroke};
 
 /// True for a value that has a place on an axis.

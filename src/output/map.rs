@@ -1,9 +1,10 @@
 //! Fields over a rectangle.
 
 use super::axis::{PLACES, Scale};
-use super::canvas::{Area, Canvas, LABEL, Pen, label_room, text_width};
+use super::canvas::{Canvas, LABEL, Pen, label_room, text_width};
 use super::colours::{INK, MISSING, Rgb, diverging, sequential};
 use super::lines::BELOW;
+use super::page::Area;
 use super::raster::Image;
 use super::{OutputError, overlay};
 use crate::figure::MapFigure;

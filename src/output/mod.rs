@@ -14,6 +14,7 @@ pub mod json;
 mod lines;
 mod map;
 mod overlay;
+mod page;
 pub mod plot;
 mod raster;
 pub mod report;

@@ -4,6 +4,7 @@ mod shown;
 
 use super::{Contact, Model, Outcome, StudyError};
 use crate::field::{Field, GroundField, GroundLoad, Quantity, Window};
+use crate::memory;
 use crate::progress::Observer;
 use crate::soil::Profile;
 use crate::soil::strip::sinc;
@@ -57,9 +58,7 @@ pub(super) fn check_memory(
     (columns, rows): (usize, usize),
     needed: u64,
 ) -> Result<(), StudyError> {
-    let mut system = sysinfo::System::new();
-    system.refresh_memory();
-    let available = system.available_memory();
+    let available = memory::available();
     if needed > available {
         let [needed_gb, available_gb] = [needed, available].map(|bytes| bytes as f64 / 1e9);
         return Err(StudyError::Memory { what, columns, rows, needed_gb, available_gb });
