@@ -31,23 +31,17 @@ const BEHIND: &[(&str, &[&str])] = &[
 ];
 
 /// Circles of files that still stand, each with what keeps it.
-const CIRCLES: &[(&[&str], &str)] = &[
-    (
-        &[
-            "case/load.rs",
-            "case/report.rs",
-            "case/runner.rs",
-            "case/studies.rs",
-            "case/train.rs",
-            "case/verification.rs",
-        ],
-        "the loader builds trains and studies that ask it for files; it reads the case that the runner stored",
-    ),
-    (
-        &["study/receptance.rs", "study/receptance_map.rs"],
-        "the map is a part of the study, and shows itself with it",
-    ),
-];
+const CIRCLES: &[(&[&str], &str)] = &[(
+    &[
+        "case/load.rs",
+        "case/report.rs",
+        "case/runner.rs",
+        "case/studies.rs",
+        "case/train.rs",
+        "case/verification.rs",
+    ],
+    "the loader builds trains and studies that ask it for files; it reads the case that the runner stored",
+)];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
