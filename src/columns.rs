@@ -28,7 +28,7 @@ pub enum ColumnsError {
     },
     /// A line that is not two numbers.
     #[error(
-        "line {line} reads \"{found}\": it must be two finite numbers with a comma, a semicolon or a tab between them"
+        "line {line} reads \"{found}\": it must be two finite numbers with a comma, a semicolon or a tab between them; decimal commas need one of the latter"
     )]
     Line {
         /// From 1.
@@ -58,39 +58,58 @@ const UNITS: [(&str, f64); 7] =
 /// No header, an unknown unit in square brackets, a line that is not two finite numbers.
 pub fn read(text: &str) -> Result<Columns, ColumnsError> {
     let text = text.trim_start_matches('\u{feff}');
-    let mut lines = text
-        .lines()
-        .enumerate()
-        .map(|(i, line)| (i + 1, line.trim()))
-        .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-    let mut columns = Columns::default();
-    let Some((line, header)) = lines.next() else { return Ok(columns) };
+    let header = text.lines().find(|line| !skipped(line)).unwrap_or_default();
     let between = [';', '\t'].into_iter().find(|c| header.contains(*c)).unwrap_or(',');
-    if pair(header, between).is_some() {
-        return Err(ColumnsError::Header { line, found: header.to_owned() });
-    }
-    let mut sizes = header.split(between).map(|name| size(name, line));
-    let (size_x, size_value) = (sizes.next().unwrap_or(Ok(1.0))?, sizes.next().unwrap_or(Ok(1.0))?);
-    for (line, found) in lines {
-        let Some((x, value)) = pair(found, between) else {
-            return Err(ColumnsError::Line { line, found: found.to_owned() });
-        };
-        columns.x.push(size_x * x);
-        columns.values.push(size_value * value);
-        columns.lines.push(line);
+    let reader = csv::ReaderBuilder::new()
+        .delimiter(between as u8)
+        .has_headers(false)
+        .flexible(true)
+        .comment(Some(b'#'))
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes());
+    let mut columns = Columns::default();
+    let mut sizes: Option<[f64; 2]> = None;
+    // no record fails: text of any number of fields
+    for record in reader.into_records().map_while(Result::ok).filter(|r| r.iter().any(|f| !f.is_empty())) {
+        let line = line(text, &record);
+        let found = || text.lines().nth(line - 1).unwrap_or_default().trim().to_owned();
+        match (sizes, pair(&record, between)) {
+            (Some(sizes), Some([x, value])) => {
+                columns.x.push(sizes[0] * x);
+                columns.values.push(sizes[1] * value);
+                columns.lines.push(line);
+            }
+            (Some(_), None) => return Err(ColumnsError::Line { line, found: found() }),
+            (None, Some(_)) => return Err(ColumnsError::Header { line, found: found() }),
+            (None, None) => {
+                let size = |i| record.get(i).map_or(Ok(1.0), |name| size(name, line));
+                sizes = Some([size(0)?, size(1)?]);
+            }
+        }
     }
     Ok(columns)
 }
 
+/// Whether `line` holds nothing.
+fn skipped(line: &str) -> bool {
+    line.trim().is_empty() || line.starts_with('#')
+}
+
+/// The line `record` stands in, from 1: its position in `text` is that of the lines skipped before it.
+fn line(text: &str, record: &csv::StringRecord) -> usize {
+    let (from, line) = record.position().map_or((0, 1), |at| (at.byte() as usize, at.line() as usize));
+    line + text.get(from..).unwrap_or_default().lines().take_while(|line| skipped(line)).count()
+}
+
 /// Two finite numbers and nothing else.
-fn pair(line: &str, between: char) -> Option<(f64, f64)> {
+fn pair(record: &csv::StringRecord, between: char) -> Option<[f64; 2]> {
     let number = |text: &str| {
-        let text = text.trim().trim_matches('"');
         let text = if between == ',' { text.to_owned() } else { text.replace(',', ".") };
         text.parse().ok().filter(|v: &f64| v.is_finite())
     };
-    let (x, value) = line.split_once(between)?;
-    Some((number(x)?, number(value)?))
+    let rest_is_empty = record.iter().skip(2).all(str::is_empty);
+    rest_is_empty.then_some(())?;
+    Some([number(record.get(0)?)?, number(record.get(1)?)?])
 }
 
 /// Size [m] of the unit in the name of a column; 1 where there is none.
@@ -123,6 +142,14 @@ mod tests {
             assert_eq!((found.x, found.values), (vec![2.0 * x], vec![3.0 * value]), "{header}");
             assert_eq!(found.lines, [4]);
         }
+    }
+
+    #[test]
+    fn lines_are_counted_past_what_is_skipped() {
+        let text = "# made by\r\n\r\nx;r;\r\n# from here\r\n0;1;\r\n \r\n;;\r\n1;2\r\n\r\n2;3";
+        assert_eq!(read(text).unwrap().lines, [5, 8, 10]);
+        assert_eq!(read(&text.replace("\r", "")).unwrap().lines, [5, 8, 10]);
+        assert_eq!(read("# nothing\n").unwrap(), Columns::default());
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// One reason to doubt a result. Shown, stored in every output, fatal under `--strict`.
+/// One reason to doubt a result. Shown, stored in every output, exit code 1 under `--strict`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Concern {
     /// Short stable name, kebab-case, e.g. `wrap-around`.

@@ -60,6 +60,29 @@ pub struct LineFigure {
     pub marks: Vec<(f64, String)>,
 }
 
+impl LineFigure {
+    /// An empty picture called `name` under a `title`, with the labels of its axes; both linear, y upward.
+    pub fn new(
+        name: impl Into<String>,
+        title: impl Into<String>,
+        x_label: impl Into<String>,
+        y_label: impl Into<String>,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            title: title.into(),
+            x_label: x_label.into(),
+            y_label: y_label.into(),
+            second_x: None,
+            y_down: false,
+            log_x: false,
+            log_y: false,
+            series: Vec::new(),
+            marks: Vec::new(),
+        }
+    }
+}
+
 /// A field over a rectangle, drawn as a filled map with a colour bar and equal axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapFigure {

@@ -10,6 +10,8 @@
 //! |---|---|---|
 //! | 0 | [`math`] | quadrature, Fourier transforms with their signs and scales, interpolation, maxima |
 //! | 0 | [`columns`] | two columns of lengths from a CSV file, in the units of its header |
+//! | 0 | [`memory`] | how much is free |
+//! | 0 | [`quantity`] | numbers that must lie in their range, by their keys in case files |
 //! | 0 | [`concern`], [`dataset`], [`figure`], [`progress`] | what studies hand on: doubts, arrays, pictures, progress |
 //! | 1 | [`soil`] | material → profile → compliance G(k, ω); the integral over a loaded strip; surface waves |
 //! | 1 | [`track`] | members (beams, masses) and links (springs, bars) in a vertical stack |
@@ -21,7 +23,7 @@
 //! | 2 | [`output`] | HDF5, CSV, JSON, pictures, report |
 //! | 3 | [`rail`] | how the rail of a track on its foundation answers loads that stand or move |
 //! | 4 | [`field`], [`contact`] | the ground beside the track; wheels and rails pressing on one another |
-//! | 5 | [`study`] | one file per question: critical speed, dispersion, track response, contour, tables |
+//! | 5 | [`study`] | one folder per question: critical speed, dispersion, track response, contour, receptance, free field, tables |
 //! | 6 | [`case`](mod@case) | case files, their checks, the library of parameter sets, the runner |
 //!
 //! # Symbols
@@ -61,8 +63,10 @@ pub mod figure;
 pub mod foundation;
 pub mod irregularity;
 pub mod math;
+pub mod memory;
 pub mod output;
 pub mod progress;
+pub mod quantity;
 pub mod rail;
 pub mod signal;
 pub mod soil;

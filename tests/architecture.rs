@@ -1,12 +1,12 @@
 //! The rules of the house, read from the source: ranks, dependencies, printing, panics, length of files, case folders.
 
 use groundwave::case::library::ENTRIES;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// DESIGN 3: a file uses only modules of lower rank, or its own folder.
 const RANKS: &[&[&str]] = &[
-    &["units", "math", "columns"],
+    &["math", "memory", "quantity", "columns"],
     &["soil", "track", "vehicle", "irregularity", "signal", "dataset", "concern", "figure", "progress"],
     &["foundation", "assessment", "output"],
     &["rail"],
@@ -27,7 +27,21 @@ const BEHIND: &[(&str, &[&str])] = &[
     ("clap", &["cli/"]),
     ("indicatif", &["cli/progress.rs"]),
     ("ctrlc", &["cli/run.rs"]),
+    ("sysinfo", &["memory.rs"]),
 ];
+
+/// Circles of files that still stand, each with what keeps it.
+const CIRCLES: &[(&[&str], &str)] = &[(
+    &[
+        "case/load.rs",
+        "case/report.rs",
+        "case/runner.rs",
+        "case/studies.rs",
+        "case/train.rs",
+        "case/verification.rs",
+    ],
+    "the loader builds trains and studies that ask it for files; it reads the case that the runner stored",
+)];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -230,6 +244,138 @@ fn every_library_file_is_registered() {
     assert_eq!(found, registered);
 }
 
+/// `use` and inline paths of a piece of code, groups in braces written out: `crate::a::b`, `super::c`.
+fn paths(code: &str) -> BTreeSet<String> {
+    fn expand(prefix: &str, rest: &str, found: &mut BTreeSet<String>) {
+        let word = |c: char| c.is_alphanumeric() || c == '_' || c == ':';
+        let end = rest.find(|c| !word(c)).unwrap_or(rest.len());
+        let (path, rest) = (format!("{prefix}{}", &rest[..end]), &rest[end..]);
+        let Some(group) = rest.strip_prefix('{').filter(|_| path.ends_with("::")) else {
+            found.insert(path.trim_end_matches("::").to_owned());
+            return;
+        };
+        // the parts of the group, at its own depth
+        let (mut depth, mut start) = (0, 0);
+        for (at, c) in group.char_indices() {
+            match c {
+                '{' => depth += 1,
+                '}' if depth > 0 => depth -= 1,
+                ',' | '}' if depth == 0 => {
+                    expand(&path, group[start..at].trim(), found);
+                    start = at + 1;
+                    if c == '}' {
+                        return;
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+    let mut found = BTreeSet::new();
+    for door in ["crate::", "super::"] {
+        for (at, _) in code.match_indices(door) {
+            // the beginning of a path, not a later `super::` in it
+            if !code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == ':') {
+                expand("", &code[at..], &mut found);
+            }
+        }
+    }
+    found
+}
+
+/// The module that is a file: `soil/mod.rs` → soil, `soil/strip.rs` → soil::strip.
+fn module_path(file: &str) -> Vec<String> {
+    let path = file.trim_end_matches(".rs").trim_end_matches("/mod");
+    if path == "lib" || path == "main" { Vec::new() } else { path.split('/').map(str::to_owned).collect() }
+}
+
+/// The file in which `path`, written in the module `from`, is defined: names that a `mod.rs` hands on are followed.
+fn defined_in(path: &str, from: &[String], files: &[(Vec<String>, String, String)]) -> Option<String> {
+    let mut place = from.to_vec();
+    let mut left = Vec::new();
+    for step in path.split("::") {
+        match step {
+            "crate" => place.clear(),
+            "super" => drop(place.pop()),
+            "self" | "" => {}
+            step => left.push(step.to_owned()),
+        }
+    }
+    while let Some(step) = left.first() {
+        let deeper = [place.as_slice(), std::slice::from_ref(step)].concat();
+        if !files.iter().any(|f| f.0 == deeper) {
+            break;
+        }
+        (place, left) = (deeper, left[1..].to_vec());
+    }
+    let (_, file, code) = files.iter().find(|f| f.0 == place)?;
+    let name = left.first();
+    // pub use child::{…, Name, …};
+    let handed_on = code.split("pub use ").skip(1).find_map(|text| {
+        let text = format!("crate::{}", text.split(';').next()?);
+        paths(&text).into_iter().find(|p| p.rsplit("::").next() == name.map(String::as_str))
+    });
+    match handed_on {
+        Some(path) => {
+            let child = path.trim_start_matches("crate::");
+            let absolute = if child.starts_with("crate") || place.is_empty() {
+                path.clone()
+            } else {
+                format!("crate::{}::{child}", place.join("::"))
+            };
+            if absolute == format!("crate::{}", [place.clone(), left.clone()].concat().join("::")) {
+                return Some(file.clone());
+            }
+            defined_in(&absolute, &[], files)
+        }
+        None => Some(file.clone()),
+    }
+}
+
+/// Sets of files that use each other in a circle. A `mod.rs` is the door of its folder: its enums name what lies behind, and do
+/// not count.
+fn circles(sources: &[(String, String)]) -> Vec<BTreeSet<String>> {
+    let files: Vec<(Vec<String>, String, String)> =
+        sources.iter().map(|(file, code)| (module_path(file), file.clone(), code.clone())).collect();
+    let used = |file: &str, code: &str| -> BTreeSet<String> {
+        let is_door = file.ends_with("mod.rs") || file == "lib.rs";
+        let all = if is_door { BTreeSet::new() } else { paths(code) };
+        let targets = all.iter().filter_map(|p| defined_in(p, &module_path(file), &files));
+        targets.filter(|target| target != file).collect()
+    };
+    let edges: BTreeMap<&String, BTreeSet<String>> =
+        sources.iter().map(|(f, code)| (f, used(f, code))).collect();
+    let reach = |from: &String| {
+        let mut seen = BTreeSet::new();
+        let mut next: Vec<&String> = edges[from].iter().collect();
+        while let Some(file) = next.pop() {
+            if seen.insert(file.clone()) {
+                next.extend(&edges[file]);
+            }
+        }
+        seen
+    };
+    let reached: BTreeMap<&String, BTreeSet<String>> = edges.keys().map(|f| (*f, reach(f))).collect();
+    let circle = |f: &String| -> BTreeSet<String> {
+        reached[f].iter().filter(|other| reached[*other].contains(f)).cloned().collect()
+    };
+    let all: BTreeSet<BTreeSet<String>> = edges.keys().map(|f| circle(f)).filter(|c| !c.is_empty()).collect();
+    all.into_iter().collect()
+}
+
+#[test]
+fn no_files_use_each_other_in_a_circle() {
+    let sources: Vec<(String, String)> = sources().into_iter().map(|(file, _, code)| (file, code)).collect();
+    let found = circles(&sources);
+    let known: Vec<BTreeSet<String>> =
+        CIRCLES.iter().map(|(files, _)| files.iter().map(|f| (*f).to_owned()).collect()).collect();
+    let new: Vec<_> = found.iter().filter(|c| !known.iter().any(|k| c.is_subset(k))).collect();
+    assert!(new.is_empty(), "{new:#?}");
+    // the list only shrinks
+    let gone: Vec<_> = known.iter().filter(|k| !found.iter().any(|c| c.is_subset(k))).collect();
+    assert!(gone.is_empty(), "no circle any more, take it from the list: {gone:#?}");
+}
+
 #[test]
 fn the_rules_can_fail() {
     assert_eq!(rank_faults("soil/material.rs", "use crate::study::Model;"), ["soil/material.rs uses study"]);
@@ -239,5 +385,15 @@ fn the_rules_can_fail() {
     assert!(rank_faults("study/model.rs", "use crate::soil::Profile; use super::StudyError;").is_empty());
     assert!(names("let plan = rustfft::FftPlanner::new();", "rustfft"));
     assert!(!names("use crate::output::hdf5::write;", "hdf5"));
+    // through a name handed on by a mod.rs, and through a group
+    let two = [
+        ("soil/mod.rs", "mod a; mod b; pub use a::{Alpha, Other}; pub use b::Beta;"),
+        ("soil/a.rs", "use super::{Beta, x::{y, z}}; pub struct Alpha;"),
+        ("soil/b.rs", "use crate::soil::Alpha; pub struct Beta;"),
+        ("soil/c.rs", "use super::a::Alpha;"),
+    ];
+    let two = two.map(|(file, code)| (file.to_owned(), code.to_owned()));
+    assert_eq!(circles(&two), [BTreeSet::from(["soil/a.rs".to_owned(), "soil/b.rs".to_owned()])]);
+    assert!(circles(&two[2..]).is_empty());
     assert!(code_of("a // .unwrap()\n#[cfg(test)]\nb.unwrap()").trim() == "a");
 }

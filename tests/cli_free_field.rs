@@ -69,9 +69,13 @@ fn a_free_field_leaves_what_it_promises() {
         "10 of these profiles (seeds from 1)",
         "to compare, not to judge",
         "DIN 4150-2:1999, A_u residential, night: 0.1",
+        "n like passes have n^¼ times the dose of one",
     ] {
         assert!(report.contains(said), "{said}");
     }
+    // guide values are the dashed lines: KB has some, the dose of one pass none
+    let drawn = |name: &str| std::fs::read_to_string(at(name)).unwrap().contains("stroke-dasharray");
+    assert!(drawn("free_field_kb_distance.svg") && !drawn("free_field_vdv_distance.svg"));
 }
 
 #[test]
@@ -135,6 +139,43 @@ fn given_profiles_shake_the_ground() {
     let dynamic = |amplitude: &str| rms(&WAVE.replace("1e-3", amplitude), "").powi(2) - smooth.powi(2);
     let ratio = dynamic("1e-2") / dynamic("1e-3");
     assert!((ratio / 100.0 - 1.0).abs() < 0.05, "{ratio}");
+}
+
+#[test]
+fn a_profile_without_roughness_leaves_results_and_no_picture_of_forces() {
+    let flat = (0..400).map(|i| format!("{},0.0\n", 0.5 * f64::from(i))).collect::<String>();
+    let (code, out, err, folder) = run_beside(&format!("x_m,r_m\n{flat}"), &[TRACK, TRAIN, MEASURED, FIELD]);
+    assert_eq!(code, 0, "{err}");
+    assert!(out.contains("no-picture: there is no picture `contact_force`"), "{out}");
+    let at = |name: &str| folder.path().join("out").join(name);
+    assert!(
+        at("results.h5").exists() && at("free_field_8.png").exists() && !at("contact_force.png").exists()
+    );
+}
+
+#[test]
+fn bands_too_small_for_a_picture_are_gaps_in_its_curves() {
+    // a short sinusoid drives few bands, far apart from those of the axle loads
+    let field =
+        FIELD.replace("from = 2.0, to = 10.0", "from = 1.0, to = 63.0").replace("216 km/h", "100 km/h");
+    let wave = WAVE.replace("wavelength = 8.0", "wavelength = 0.7");
+    let (code, _, err, folder) = run(&[TRACK, TRAIN, &wave, &field]);
+    assert_eq!(code, 0, "{err}");
+    let at = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    let table = at("free_field_receiver_band.csv");
+    let mut rows = table.lines().filter(|l| !l.starts_with('#')).map(|l| l.split(',').collect::<Vec<_>>());
+    let header = rows.next().unwrap();
+    let total = header.iter().position(|h| h.starts_with("v_rms_total")).unwrap();
+    let values: Vec<f64> = rows.filter(|r| r[0] == "8").map(|r| r[total].parse().unwrap()).collect();
+    let largest = values.iter().copied().fold(0.0, f64::max);
+    let seen: Vec<bool> = values.iter().map(|v| *v > 1e-4 * largest).collect();
+    let pieces = seen.split(|s| !s).filter(|run| !run.is_empty()).count();
+    assert!(pieces > 1, "no gap to be seen: {values:?}");
+    // the total is the third curve; each piece is one path, or a circle where it is one point; one more path is in the legend
+    let svg = at("free_field_8.svg");
+    let drawn =
+        svg.lines().filter(|l| (l.contains("<path") || l.contains("<circle")) && l.contains("#009e73"));
+    assert_eq!(drawn.count(), pieces + 1, "{values:?}");
 }
 
 #[test]
@@ -218,4 +259,20 @@ fn faults_are_named_at_their_key() {
         }
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "{says:?}");
     }
+}
+
+/// A wave of 5 mm over 2 m at 216 km/h throws the wheel off the rail, which the linear contact does not know.
+#[test]
+fn a_wheel_that_would_lift_is_told() {
+    let steep = "[irregularity]\nkind = \"sinusoidal\"\nwavelength = 2.0\namplitude = 5e-3\n";
+    let field = FIELD.replace("to = 10.0", "to = 40.0");
+    let (code, out, err, _folder) = run(&[TRACK, TRAIN, steep, &field]);
+    assert_eq!(code, 0, "{err}");
+    for said in
+        ["wheel-lifts", "the wheel would lift", "the linear contact then pulls", "static load is 1.500e2 kN"]
+    {
+        assert!(out.contains(said), "no \"{said}\" in: {out}");
+    }
+    let (_, out, _, _folder) = run(&[TRACK, TRAIN, WAVE, FIELD]);
+    assert!(!out.contains("wheel-lifts"), "{out}");
 }

@@ -240,6 +240,15 @@ fn the_unit_in_a_header_is_obeyed_and_odd_profiles_are_told() {
 }
 
 #[test]
+fn a_record_in_millimetres_is_noticed() {
+    let record = "[[track_response.measured]]\nspeed = 50.0\nfile = \"r.csv\"\nlabel = \"measured\"\n";
+    let text = ballasted() + record;
+    assert_eq!(said(&text, "x [m]; deflection [mm]\n-10; 0,5\n0; 4\n10; 0,5\n"), "");
+    let found = said(&text, "x, deflection\n-10, 0.5\n0, 4\n10, 0.5\n");
+    assert!(found.contains("track_response.measured[0].file: r.csv has a deflection of 4.000 m"), "{found}");
+}
+
+#[test]
 fn concerns_of_a_case_reach_every_output() {
     let folder = tempfile::tempdir().unwrap();
     let text = case(LAYERS, &format!("{TRACK}{ASKED}")).replace("load = 150e3", "load = 150");
@@ -256,5 +265,5 @@ fn concerns_of_a_case_reach_every_output() {
     }
     let strict = groundwave(&["run", "case.toml", "--out", "again", "--strict"], folder.path());
     assert_eq!(strict.status.code(), Some(1));
-    assert!(flat(&strict.stderr).contains("train.axles[0].load"), "{}", flat(&strict.stderr));
+    assert!(flat(&strict.stderr).contains("unusual-value"), "{}", flat(&strict.stderr));
 }

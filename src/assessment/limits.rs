@@ -53,6 +53,8 @@ pub struct GuideValue {
     pub quantity: Quantity,
     /// Value in the unit of the quantity.
     pub value: f64,
+    /// What it asks of the quantity, in a few words.
+    pub criterion: &'static str,
     /// How the standard means it.
     pub note: &'static str,
 }
@@ -62,24 +64,59 @@ const SBR_B: &str = "SBR Richtlijn B:2002";
 const FTA: &str = "FTA Transit Noise and Vibration Impact Assessment Manual, 2018";
 const BS_6472: &str = "BS 6472-1:2008";
 
-const A_U: &str = "met if KB_Fmax is not above it";
-const A_O: &str = "missed if KB_Fmax is above it";
-const A_O_NIGHT: &str =
-    "missed if KB_Fmax is above it; for surface railways 6.5.3 gives 0.6 and another meaning";
-const A_R: &str =
-    "asked where KB_Fmax is between A_u and A_o; surface local transport: 1.5 times A_u and A_r";
-const A_1: &str = "met if V_max is below it; vibration that goes on for long";
-const A_2: &str = "with V_per below A_3, met if V_max is below it";
-const A_3: &str = "asked where V_max is between A_1 and A_2";
+/// What is asked of a measured value, for a legend, and how the standard means it.
+#[derive(Clone, Copy)]
+struct Meaning {
+    criterion: &'static str,
+    note: &'static str,
+}
+
+const A_U: Meaning =
+    Meaning { criterion: "enough if KB_Fmax ≤ A_u", note: "met if KB_Fmax is not above it" };
+const A_O: Meaning = Meaning { criterion: "missed if KB_Fmax > A_o", note: "missed if KB_Fmax is above it" };
+const A_O_NIGHT: Meaning = Meaning {
+    criterion: A_O.criterion,
+    note: "missed if KB_Fmax is above it; for surface railways 6.5.3 gives 0.6 and another meaning",
+};
+const A_R: Meaning = Meaning {
+    criterion: "asked of KB_FTr where A_u < KB_Fmax ≤ A_o",
+    note: "asked where KB_Fmax is between A_u and A_o; surface local transport: 1.5 times A_u and A_r",
+};
+const A_1: Meaning = Meaning {
+    criterion: "enough if V_max < A_1",
+    note: "met if V_max is below it; vibration that goes on for long",
+};
+const A_2: Meaning = Meaning {
+    criterion: "enough if V_max < A_2 and V_per < A_3",
+    note: "with V_per below A_3, met if V_max is below it",
+};
+const A_3: Meaning = Meaning {
+    criterion: "asked of V_per where A_1 ≤ V_max < A_2",
+    note: "asked where V_max is between A_1 and A_2",
+};
+const OFTEN: Meaning =
+    Meaning { criterion: "more than 70 a day", note: "more than 70 events of one kind a day" };
+const SELDOM: Meaning = Meaning {
+    criterion: "fewer than 30 a day",
+    note: "fewer than 30 events of one kind a day; before 2006, fewer than 70",
+};
+const DOSE_FROM: Meaning = Meaning {
+    criterion: "all of 16 h",
+    note: "residential, 16 h; W_b vertically, W_d horizontally; below it adverse comment is not expected",
+};
+const DOSE_TO: Meaning = Meaning {
+    criterion: DOSE_FROM.criterion,
+    note: "residential, 16 h; W_b vertically, W_d horizontally; above it adverse comment is possible",
+};
 
 const fn guide(
     standard: &'static str,
     name: &'static str,
     quantity: Quantity,
     value: f64,
-    note: &'static str,
+    Meaning { criterion, note }: Meaning,
 ) -> GuideValue {
-    GuideValue { name, standard, quantity, value, note }
+    GuideValue { name, standard, quantity, value, criterion, note }
 }
 
 /// Guide values for dwellings.
@@ -99,34 +136,10 @@ pub const GUIDE_VALUES: &[GuideValue] = &[
     guide(SBR_B, "A_1 dwellings, night", Quantity::VMaximum, 0.1, A_1),
     guide(SBR_B, "A_2 dwellings, night", Quantity::VMaximum, 0.2, A_2),
     guide(SBR_B, "A_3 dwellings, night", Quantity::VPeriod, 0.05, A_3),
-    guide(
-        FTA,
-        "residences, frequent events",
-        Quantity::VelocityLevel(Reference::VdB),
-        72.0,
-        "more than 70 events of one kind a day",
-    ),
-    guide(
-        FTA,
-        "residences, infrequent events",
-        Quantity::VelocityLevel(Reference::VdB),
-        80.0,
-        "fewer than 30 events of one kind a day; before 2006, fewer than 70",
-    ),
-    guide(
-        BS_6472,
-        "low probability of adverse comment from, day",
-        Quantity::VibrationDose,
-        0.2,
-        "residential, 16 h; W_b vertically, W_d horizontally; below it adverse comment is not expected",
-    ),
-    guide(
-        BS_6472,
-        "low probability of adverse comment to, day",
-        Quantity::VibrationDose,
-        0.4,
-        "residential, 16 h; W_b vertically, W_d horizontally; above it adverse comment is possible",
-    ),
+    guide(FTA, "residences, frequent events", Quantity::VelocityLevel(Reference::VdB), 72.0, OFTEN),
+    guide(FTA, "residences, infrequent events", Quantity::VelocityLevel(Reference::VdB), 80.0, SELDOM),
+    guide(BS_6472, "low probability of adverse comment from, day", Quantity::VibrationDose, 0.2, DOSE_FROM),
+    guide(BS_6472, "low probability of adverse comment to, day", Quantity::VibrationDose, 0.4, DOSE_TO),
 ];
 
 /// The guide values of one quantity, in the order of [`GUIDE_VALUES`].
@@ -144,7 +157,7 @@ mod tests {
         names.sort_unstable();
         names.dedup();
         assert_eq!(names.len(), GUIDE_VALUES.len());
-        assert!(GUIDE_VALUES.iter().all(|g| g.value > 0.0 && !g.note.is_empty()));
+        assert!(GUIDE_VALUES.iter().all(|g| g.value > 0.0 && !g.note.is_empty() && !g.criterion.is_empty()));
     }
 
     #[test]

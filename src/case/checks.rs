@@ -29,15 +29,3 @@ pub fn span(input: SpanInput, path: &str) -> Result<(f64, f64), Finding> {
     }
     Ok((input.from, input.to))
 }
-
-/// `value` if finite and above zero; `path` is the key.
-///
-/// # Errors
-/// What it is otherwise.
-pub fn positive(value: f64, path: &str, unit: &str) -> Result<f64, Finding> {
-    if value.is_finite() && value > 0.0 {
-        Ok(value)
-    } else {
-        Err(Finding::new(path, format!("found {value} {unit}: it must be finite and above zero")))
-    }
-}

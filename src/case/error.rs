@@ -1,5 +1,6 @@
 //! One clear message for bad input: file, line, key, what was found, what is allowed, the nearest spelling.
 
+use crate::quantity::OutOfRange;
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use std::path::PathBuf;
 use thiserror::Error;
@@ -53,6 +54,11 @@ impl Finding {
     /// A finding without advice.
     pub fn new(path: impl Into<String>, message: impl ToString) -> Self {
         Self { path: path.into(), message: message.to_string(), help: None }
+    }
+
+    /// A number out of its range, in the table at `path` (empty for the file itself).
+    pub fn out_of_range(path: &str, error: OutOfRange) -> Self {
+        Self::new([path, error.key].join(if path.is_empty() { "" } else { "." }), error)
     }
 
     /// The same with advice.

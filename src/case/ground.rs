@@ -5,7 +5,8 @@ use super::schema::{
     BelowLayersInput, ElementInput, FoundationInput, FoundationKind, MaterialInput, SoilInput, SolverInput,
     SolverKind,
 };
-use crate::foundation::Winkler;
+use crate::foundation::{FoundationError, Winkler};
+use crate::quantity::{not_negative, positive};
 use crate::soil::thin_layer::{BelowLayers, Element, ThinLayer};
 use crate::soil::{Base, Elastic, Layer, Material, Profile, SoilError, Solver};
 
@@ -36,9 +37,11 @@ fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
             return Err(Finding::new(path, format!("elastic constants: found {found}")).help(PAIRS));
         }
     };
-    let loss = |factor: Option<f64>, ratio: Option<f64>, names: [&str; 2]| match (factor, ratio) {
-        (Some(eta), None) => Ok(Some((eta, names[0].to_owned()))),
-        (None, Some(xi)) => Ok(Some((2.0 * xi, names[1].to_owned()))),
+    let refused = |error| Finding::out_of_range(path, error);
+    let loss = |factor: Option<f64>, ratio: Option<f64>, names: [&'static str; 2]| match (factor, ratio) {
+        (Some(eta), None) => Ok(Some((eta, names[0]))),
+        // η = 2ξ
+        (None, Some(xi)) => Ok(Some((2.0 * not_negative(names[1], xi, "").map_err(refused)?, names[1]))),
         (None, None) => Ok(None),
         (Some(_), Some(_)) => Err(Finding::new(
             format!("{path}.{}", names[1]),
@@ -56,21 +59,12 @@ fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
         return Err(Finding::new(path, "the damping is missing")
             .help("give loss_factor, or damping_ratio (half of it)"));
     };
-    let (eta_p, key_p) = pressure.unwrap_or((eta_s, key_s.clone()));
-    let material = Material::new(elastic, input.density, eta_s, eta_p).map_err(|error| {
-        let key = match &error {
-            SoilError::NotPositive { quantity, .. } => match *quantity {
-                "density" => "density",
-                "Young's modulus" => "young",
-                "shear wave speed" => "shear_speed",
-                _ => "pressure_speed",
-            },
-            SoilError::PoissonRatio { .. } => "poisson",
-            SoilError::PressureSpeed { .. } => "pressure_speed",
-            SoilError::LossFactor { quantity: "loss factor", .. } => &key_s,
-            _ => &key_p,
-        };
-        Finding::new(format!("{path}.{key}"), error)
+    let (eta_p, key_p) = pressure.unwrap_or((eta_s, key_s));
+    let material = Material::new(elastic, input.density, eta_s, eta_p).map_err(|error| match error {
+        SoilError::OutOfRange(error) => refused(error),
+        SoilError::PoissonRatio { .. } => Finding::new(format!("{path}.poisson"), error),
+        SoilError::PressureSpeed { .. } => Finding::new(format!("{path}.pressure_speed"), error),
+        _ => Finding::new(format!("{path}.{key_p}"), error),
     })?;
     let c_s = material.c_s();
     if c_s < SHEAR_SPEEDS.0 || c_s > SHEAR_SPEEDS.1 {
@@ -150,16 +144,11 @@ pub fn profile(input: &SoilInput, path: &str) -> Result<Profile, Finding> {
         let Some(thickness) = layer.thickness else {
             return Err(Finding::new(path, "missing key `thickness`").help("add `thickness = …` [m]"));
         };
-        if !(thickness.is_finite() && thickness > 0.0) {
-            return Err(Finding::new(
-                format!("{path}.thickness"),
-                format!("layer thickness is {thickness} m: it must be finite and above zero"),
-            ));
-        }
+        positive("thickness", thickness, "m").map_err(|e| Finding::out_of_range(&path, e))?;
         if thickness < THINNEST {
             return Err(Finding::new(
                 format!("{path}.thickness"),
-                format!("layer thickness is {thickness} m: layers below {THINNEST} m are not resolved"),
+                format!("thickness is {thickness} m: layers below {THINNEST} m are not resolved"),
             )
             .help("thicknesses are in metres; merge such a layer with its neighbour"));
         }
@@ -190,12 +179,8 @@ pub fn profile(input: &SoilInput, path: &str) -> Result<Profile, Finding> {
 /// The springs of `[foundation]`.
 pub fn springs(input: &FoundationInput) -> Result<Winkler, Finding> {
     let FoundationKind::Winkler = input.kind;
-    Winkler::new(input.stiffness, input.damping, input.loss_factor).map_err(|error| {
-        let text = error.to_string();
-        let key = ["stiffness", "damping", "loss factor"]
-            .iter()
-            .find(|k| text.contains(*k))
-            .unwrap_or(&"stiffness");
-        Finding::new(format!("foundation.{}", key.replace(' ', "_")), text)
+    Winkler::new(input.stiffness, input.damping, input.loss_factor).map_err(|error| match error {
+        FoundationError::OutOfRange(error) => Finding::out_of_range("foundation", error),
+        error => Finding::new("foundation", error),
     })
 }

@@ -1,12 +1,13 @@
 //! `[irregularity]` → what the wheels roll over, with every fault at its key.
 
-use super::checks::{positive, span};
+use super::checks::span;
 use super::error::Finding;
 use super::schema::{IrregularityInput, IrregularityKind};
 use crate::irregularity::{
     ChinaBallastless, FraBreakWavenumber, FraCorner, German, IrregularityError, Iso8608, Order, Sncf,
     Spectrum, measured, out_of_round, sinusoidal,
 };
+use crate::quantity::{finite, positive};
 use crate::study::{Carrier, Irregularity};
 use std::f64::consts::TAU;
 
@@ -55,6 +56,14 @@ fn allowed(kind: IrregularityKind) -> Vec<&'static str> {
     }
 }
 
+/// A fault of a constructor, at the key it names.
+fn fault(error: IrregularityError) -> Finding {
+    match error {
+        IrregularityError::OutOfRange(error) => Finding::out_of_range("irregularity", error),
+        error => Finding::new("irregularity", error),
+    }
+}
+
 fn missing(kind: IrregularityKind, key: &str) -> Finding {
     Finding::new("irregularity", format!("the kind {} needs {key}", word(kind)))
 }
@@ -99,17 +108,14 @@ pub fn irregularity(
     match kind {
         IrregularityKind::Measured => profile(input, wavelengths, files),
         IrregularityKind::Sinusoidal => {
-            let key = |value: Option<f64>, key: &str| {
-                positive(value.ok_or_else(|| missing(kind, key))?, &format!("irregularity.{key}"), "m")
-            };
+            let need = |value: Option<f64>, key| value.ok_or_else(|| missing(kind, key));
             let (wavelength, amplitude) =
-                (key(input.wavelength, "wavelength")?, key(input.amplitude, "amplitude")?);
+                (need(input.wavelength, "wavelength")?, need(input.amplitude, "amplitude")?);
+            let profile = sinusoidal(wavelength, amplitude, input.phase.unwrap_or(0.0)).map_err(fault)?;
             if wavelength < SHORTEST {
                 let message = format!("{wavelength} m: it must be at least {SHORTEST} m");
                 return Err(Finding::new("irregularity.wavelength", message));
             }
-            let profile = sinusoidal(wavelength, amplitude, input.phase.unwrap_or(0.0))
-                .map_err(|e| Finding::new("irregularity.phase", e))?;
             let text =
                 format!("one sinusoid, wavelength {wavelength} m, amplitude {:.4} mm", 1e3 * amplitude);
             Ok(Irregularity::Given { profile, text, carrier: Carrier::Rail })
@@ -173,8 +179,9 @@ fn profile(
 
 /// Wheels that are not round.
 fn wheels(input: &IrregularityInput) -> Result<Irregularity, Finding> {
-    let radius =
-        positive(input.radius.ok_or_else(|| missing(input.kind, "radius"))?, "irregularity.radius", "m")?;
+    let refused = |e| Finding::out_of_range("irregularity", e);
+    let radius = input.radius.ok_or_else(|| missing(input.kind, "radius"))?;
+    positive("radius", radius, "m").map_err(refused)?;
     let orders = input.orders.as_ref().ok_or_else(|| missing(input.kind, "orders"))?;
     let mut list = Vec::new();
     for (i, o) in orders.iter().enumerate() {
@@ -187,14 +194,15 @@ fn wheels(input: &IrregularityInput) -> Result<Irregularity, Finding> {
             let message = format!("waves of {wavelength:.4} m: the shortest must be at least {SHORTEST} m");
             return Err(Finding::new(format!("irregularity.orders[{i}].order"), message));
         }
-        let amplitude = positive(o.amplitude, &format!("irregularity.orders[{i}].amplitude"), "m")?;
-        list.push(Order { order: o.order, amplitude, phase: o.phase });
+        let refused = |e| Finding::out_of_range(&format!("irregularity.orders[{i}]"), e);
+        let amplitude = positive("amplitude", o.amplitude, "m").map_err(refused)?;
+        list.push(Order {
+            order: o.order,
+            amplitude,
+            phase: finite("phase", o.phase, "rad").map_err(refused)?,
+        });
     }
-    let key = |error: &IrregularityError| match error {
-        IrregularityError::NotPositive { .. } => "irregularity.radius",
-        _ => "irregularity.orders",
-    };
-    let profile = out_of_round(radius, &list).map_err(|e| Finding::new(key(&e), e))?;
+    let profile = out_of_round(radius, &list).map_err(|e| Finding::new("irregularity.orders", e))?;
     let shown: Vec<String> =
         list.iter().map(|o| format!("order {} of {:.4} mm", o.order, 1e3 * o.amplitude)).collect();
     let seed = input.seed.unwrap_or(1);

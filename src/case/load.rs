@@ -4,6 +4,7 @@ use super::error::{CaseError, Finding, from_toml};
 use super::schema::{CaseInput, SoilInput};
 use super::values::Named;
 use super::{ground, library, plausible, roughness, studies, track, train};
+use crate::columns;
 use crate::concern::Concern;
 use crate::soil::{Profile, Solver};
 use crate::study::{Model, Study, Support};
@@ -151,6 +152,11 @@ impl Loader<'_> {
         }
         let profile = input.irregularity.iter().flat_map(|i| roughness::concerns(i, &|name| self.file(name)));
         concerns.extend(profile);
+        let records = input.track_response.iter().flat_map(|t| t.measured.iter().enumerate());
+        concerns.extend(records.filter_map(|(i, record)| {
+            let columns = columns::read(&self.file(&record.file).ok()?).ok()?;
+            roughness::of_record(&format!("track_response.measured[{i}].file"), &record.file, &columns)
+        }));
         (refused, concerns)
     }
 

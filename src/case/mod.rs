@@ -19,7 +19,7 @@ pub mod values;
 mod verification;
 
 pub use error::CaseError;
-pub use folder::{check_output, staging_prefix};
+pub use folder::{FolderError, check_output, sweep};
 pub use load::Case;
 pub use runner::{RunError, RunOptions, Summary, run};
 pub use verification::Verification;

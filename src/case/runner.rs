@@ -1,10 +1,11 @@
 //! Runs a case and leaves its results, whole or not at all.
 
-use super::folder::{self, check_output, staging_prefix};
+use super::folder::{self, FolderError, check_output};
 use super::{Case, Verification, report};
 use crate::concern::Concern;
 use crate::dataset::{Attribute, Dataset};
-use crate::output::{OutputError, csv, hdf5, json, plot};
+use crate::output::plot::Picture;
+use crate::output::{OutputError, csv, hdf5, json, save};
 use crate::progress::Observer;
 use crate::study::{Answer, Outcome, StudyError};
 use rayon::prelude::*;
@@ -19,8 +20,6 @@ pub struct RunOptions {
     pub out: PathBuf,
     /// Replace an existing folder.
     pub overwrite: bool,
-    /// Concerns are failures.
-    pub strict: bool,
 }
 
 /// What a run found.
@@ -39,33 +38,9 @@ pub struct Summary {
 /// Why a run has no result.
 #[derive(Debug, Error)]
 pub enum RunError {
-    /// The output folder exists.
-    #[error("the output folder {path} exists: give another --out, or --overwrite to replace it", path = path.display())]
-    Exists {
-        /// Which.
-        path: PathBuf,
-    },
-    /// The output folder holds what this program did not write.
-    #[error(
-        "the output folder {path} holds what groundwave did not write there ({what}), and is not replaced: give another --out, or move \
-         it away",
-        path = path.display(),
-        what = named(foreign)
-    )]
-    Foreign {
-        /// Which.
-        path: PathBuf,
-        /// Names in it.
-        foreign: Vec<String>,
-    },
-    /// The output folder cannot be made.
-    #[error("cannot write to {path}: {reason}; give another --out", path = path.display())]
-    Unwritable {
-        /// Which.
-        path: PathBuf,
-        /// Why.
-        reason: String,
-    },
+    /// The output folder is in the way, or cannot be made.
+    #[error(transparent)]
+    Folder(#[from] FolderError),
     /// A study failed.
     #[error("{study}: {source}")]
     Study {
@@ -77,25 +52,12 @@ pub enum RunError {
     /// A file could not be written.
     #[error(transparent)]
     Output(#[from] OutputError),
-    /// Concerns under `--strict`.
-    #[error("{} concern(s) under --strict, nothing written:\n{}", concerns.len(), concerns.iter().map(|c| format!("  {c}")).collect::<Vec<_>>().join("\n"))]
-    Strict {
-        /// All of them.
-        concerns: Vec<Concern>,
-    },
-}
-
-/// The first few names of a list.
-fn named(names: &[String]) -> String {
-    let more = names.len().saturating_sub(5);
-    let first = names.iter().take(5).cloned().collect::<Vec<_>>().join(", ");
-    if more == 0 { first } else { format!("{first} and {more} more") }
 }
 
 /// Computes every study of `case`, a second time where it is to be verified, and writes HDF5, CSV, JSON, pictures and report.
 ///
 /// # Errors
-/// A folder that cannot be made, a study that fails, concerns under `strict`; then nothing is left behind.
+/// A folder that cannot be made, a study that fails; then nothing is left behind. A figure that holds nothing to draw is a concern.
 pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result<Summary, RunError> {
     let out = check_output(&options.out, options.overwrite)?;
     let mut outcomes: Vec<(&'static str, Outcome)> = Vec::new();
@@ -107,37 +69,63 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
     }
     let verification =
         case.witness.as_ref().map(|witness| Verification::run(case, witness, &mut outcomes, observer));
+    let drawings = draw(&mut outcomes);
+    outcomes.iter_mut().for_each(|(_, outcome)| name_answers(outcome));
     let found = outcomes.iter().flat_map(|(_, o)| o.concerns.clone());
     let concerns: Vec<Concern> = case.concerns.iter().cloned().chain(found).collect();
-    if options.strict && !concerns.is_empty() {
-        return Err(RunError::Strict { concerns });
-    }
-    let unwritable =
-        |e: std::io::Error| RunError::Unwritable { path: options.out.clone(), reason: e.to_string() };
-    let parent = out.parent().unwrap_or(&out);
-    std::fs::create_dir_all(parent).map_err(unwritable)?;
-    let staging =
-        tempfile::Builder::new().prefix(&staging_prefix()).tempdir_in(parent).map_err(unwritable)?;
+    let staging = folder::stage(&out)?;
     observer.begin("writing", 1);
-    write(case, &outcomes, verification.as_ref(), &concerns, staging.path())?;
-    let files = folder::sign(staging.path()).map_err(unwritable)?;
-    folder::install(staging.path(), &out)?;
-    open_to_readers(&out);
+    write(case, &outcomes, verification.as_ref(), &concerns, drawings, staging.path())?;
+    let files = folder::sign(staging.path())?;
+    folder::install(staging, &out)?;
     observer.advance();
     observer.end();
     let answers = outcomes.into_iter().map(|(name, o)| (name, o.answers)).collect();
     Ok(Summary { answers, verification, concerns, files })
 }
 
-/// A temporary folder is closed to others; a result is as open as any folder.
-fn open_to_readers(folder: &Path) {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        let _ = std::fs::set_permissions(folder, std::fs::Permissions::from_mode(0o755));
+/// Answers among the attributes as `answer_<key>`: an attribute with the name of a dataset is taken for it, by xarray above all.
+fn name_answers(outcome: &mut Outcome) {
+    let Outcome { group, answers, .. } = outcome;
+    group.attributes.retain(|(name, _)| answers.iter().all(|answer| answer.key != *name));
+    let named = answers.iter().map(|answer| (format!("answer_{}", answer.key), answer.value.into()));
+    group.attributes.extend(named);
+}
+
+/// A picture with the name of its files, its title and its caption.
+struct Drawing {
+    name: String,
+    title: String,
+    caption: String,
+    picture: Picture,
+}
+
+/// Every figure, drawn once for its files and the report; one that cannot be drawn is a concern of its study.
+fn draw(outcomes: &mut [(&'static str, Outcome)]) -> Vec<Drawing> {
+    // drawing a PNG takes longer than computing it
+    let drawn: Vec<Vec<Result<Picture, OutputError>>> = outcomes
+        .par_iter()
+        .map(|(_, outcome)| outcome.figures.par_iter().map(|(figure, _)| Picture::of(figure)).collect())
+        .collect();
+    let mut drawings = Vec::new();
+    for ((_, outcome), drawn) in outcomes.iter_mut().zip(drawn) {
+        for ((figure, caption), picture) in outcome.figures.iter().zip(drawn) {
+            match picture {
+                Ok(picture) => drawings.push(Drawing {
+                    name: figure.name().to_owned(),
+                    title: figure.title().to_owned(),
+                    caption: caption.clone(),
+                    picture,
+                }),
+                Err(error) => outcome.concerns.push(Concern::new(
+                    "no-picture",
+                    error.to_string(),
+                    "see the numbers in the tables: all of them zero, or none to be had",
+                )),
+            }
+        }
     }
-    #[cfg(not(unix))]
-    let _ = folder;
+    drawings
 }
 
 fn write(
@@ -145,6 +133,7 @@ fn write(
     outcomes: &[(&'static str, Outcome)],
     verification: Option<&Verification>,
     concerns: &[Concern],
+    drawings: Vec<Drawing>,
     folder: &Path,
 ) -> Result<(), RunError> {
     let mut attributes: Vec<(String, Attribute)> = vec![
@@ -171,20 +160,13 @@ fn write(
     for (_, outcome) in outcomes {
         csv::write(&outcome.group, folder)?;
     }
-    // drawing a PNG takes longer than computing it
-    let pictures = outcomes
-        .par_iter()
-        .flat_map(|(_, outcome)| &outcome.figures)
-        .map(|(figure, caption)| {
-            plot::write(figure, folder)?;
-            Ok((figure.title().to_owned(), caption.clone(), plot::svg(figure)?))
-        })
-        .collect::<Result<Vec<_>, OutputError>>()?;
+    for drawing in &drawings {
+        drawing.picture.write(&drawing.name, folder)?;
+    }
     json::write(&summary(case, outcomes, verification, concerns), &folder.join("summary.json"))?;
-    let html = report::report(case, outcomes, verification, concerns, pictures).html();
-    let path = folder.join("report.html");
-    std::fs::write(&path, html).map_err(|source| OutputError::Write { path, source })?;
-    Ok(())
+    let figures = drawings.into_iter().map(|d| (d.title, d.caption, d.picture.svg)).collect();
+    let html = report::report(case, outcomes, verification, concerns, figures).html();
+    Ok(save(&folder.join("report.html"), html.as_bytes())?)
 }
 
 /// `summary.json`: one object per study with its answers as plain SI numbers, their units beside them.

@@ -1,6 +1,6 @@
 //! Study tables → studies, with every fault at its key.
 
-use super::checks::{FARTHEST, positive, span};
+use super::checks::{FARTHEST, span};
 use super::error::Finding;
 use super::irregularity;
 use super::schema::{
@@ -12,6 +12,8 @@ use super::values::{Named, Range, Speed};
 use crate::assessment::Band;
 use crate::columns::{self, Columns};
 use crate::field::{Quantity, Window};
+use crate::math::decimal::arithmetic;
+use crate::quantity::positive;
 use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, ThinLayer};
 use crate::study::{
@@ -56,7 +58,7 @@ fn numbers(
                 return Err(Finding::new(path, format!("the range has {count:.0} values, more than {MOST}"))
                     .help("use a larger step"));
             }
-            (0..=count as usize).map(|i| from + step * i as f64).collect()
+            arithmetic(from, step, count as usize + 1)
         }
     };
     if values.is_empty() {
@@ -144,7 +146,8 @@ fn track_response(
         .enumerate()
         .map(|(i, m)| record(m, &format!("track_response.measured[{i}]"), files))
         .collect::<Result<_, _>>()?;
-    let spacing = positive(input.spacing.unwrap_or(0.1), "track_response.spacing", "m")?;
+    let spacing = positive("spacing", input.spacing.unwrap_or(0.1), "m")
+        .map_err(|e| Finding::out_of_range("track_response", e))?;
     let length = x.map_or(1000.0, |(from, to)| to - from);
     if length / spacing >= MOST as f64 {
         let found =
@@ -167,12 +170,13 @@ fn track_response(
 /// The part of the surface to map, of the study `path`.
 fn window(x: SpanInput, y: SpanInput, spacing: f64, path: &str) -> Result<Window, Finding> {
     let (x, y) = (span(x, &format!("{path}.x"))?, span(y, &format!("{path}.y"))?);
-    let path = format!("{path}.spacing");
-    let spacing = positive(spacing, &path, "m")?;
+    let spacing = positive("spacing", spacing, "m").map_err(|e| Finding::out_of_range(path, e))?;
     let least = (x.1 - x.0).min(y.1 - y.0);
     if spacing > least {
         let message = format!("spacing is {spacing} m, wider than the window of {least} m");
-        return Err(Finding::new(path, message).help("a map has two points each way at least"));
+        return Err(
+            Finding::new(format!("{path}.spacing"), message).help("a map has two points each way at least")
+        );
     }
     Ok(Window { x, y, spacing })
 }
@@ -196,16 +200,14 @@ fn contour(input: &ContourInput) -> Result<Contour, Finding> {
     };
     let speeds = speeds(&input.speeds, "contour.speeds")?;
     distinct(&speeds, "contour.speeds", "m/s")?;
-    if let Some(clearance) = input.clearance.filter(|c| *c < LEAST_CLEARANCE) {
+    let positive =
+        |clearance| positive("clearance", clearance, "m").map_err(|e| Finding::out_of_range("contour", e));
+    let clearance = input.clearance.map(positive).transpose()?;
+    if let Some(clearance) = clearance.filter(|c| *c < LEAST_CLEARANCE) {
         let message = format!("clearance is {clearance} m: it must be at least {LEAST_CLEARANCE} m");
         return Err(Finding::new("contour.clearance", message));
     }
-    Ok(Contour {
-        speeds,
-        window: window(input.x, input.y, input.spacing, "contour")?,
-        quantities,
-        clearance: input.clearance.map(|c| positive(c, "contour.clearance", "m")).transpose()?,
-    })
+    Ok(Contour { speeds, window: window(input.x, input.y, input.spacing, "contour")?, quantities, clearance })
 }
 
 /// Beyond, layers are thousands of wavelengths thick.

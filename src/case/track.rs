@@ -5,6 +5,7 @@ use super::schema::{
     BallastInput, BallastKind, BeamInput, CompatibilityInput, ContactInput, LoadInput, LoadKind, SpringInput,
     TrackInput, TrackKind,
 };
+use crate::quantity::{between, positive};
 use crate::soil::{Compatibility, Strip};
 use crate::study::Contact;
 use crate::track::{Ballast, Ballasted, Link, Member, Slab, Stack, TrackError};
@@ -17,36 +18,20 @@ fn need<'a, T>(value: &'a Option<T>, path: &str, key: &str, kind: &str) -> Resul
     })
 }
 
-/// A fault of a constructor, at the key of `path` that its quantity names.
-fn fault(path: &str, error: &TrackError) -> Finding {
-    let (TrackError::NotPositive { quantity, .. } | TrackError::Negative { quantity, .. }) = error;
-    let key = match *quantity {
-        "bending stiffness" => "bending_stiffness",
-        "mass" | "ballast mass" => "mass",
-        "spring stiffness" | "ballast stiffness" => "stiffness",
-        "spring damping" | "ballast damping" => "damping",
-        "ballast alpha" => "alpha",
-        "ballast Young's modulus" => "young",
-        "ballast height" => "height",
-        "ballast wave speed" => "wave_speed",
-        _ => "loss_factor",
-    };
-    Finding::new(format!("{path}.{key}"), error)
+/// A fault of a constructor, in the table at `path`.
+fn fault(path: &str) -> impl Fn(TrackError) -> Finding {
+    |TrackError::OutOfRange(error)| Finding::out_of_range(path, error)
 }
 
 fn beam(input: &BeamInput, path: &str) -> Result<Member, Finding> {
-    if !(input.bending_stiffness.is_finite() && input.bending_stiffness > 0.0) {
-        let message = format!(
-            "bending stiffness is {} N m²: it must be finite and above zero",
-            input.bending_stiffness
-        );
-        return Err(Finding::new(format!("{path}.bending_stiffness"), message));
-    }
-    Member::beam(input.bending_stiffness, input.mass, input.loss_factor).map_err(|e| fault(path, &e))
+    // a member without is a mass, a beam must bend
+    positive("bending_stiffness", input.bending_stiffness, "N m²")
+        .map_err(|e| Finding::out_of_range(path, e))?;
+    Member::beam(input.bending_stiffness, input.mass, input.loss_factor).map_err(fault(path))
 }
 
 fn spring(input: &SpringInput, path: &str) -> Result<Link, Finding> {
-    Link::spring(input.stiffness, input.damping, input.loss_factor).map_err(|e| fault(path, &e))
+    Link::spring(input.stiffness, input.damping, input.loss_factor).map_err(fault(path))
 }
 
 fn compatibility(input: CompatibilityInput) -> Compatibility {
@@ -56,23 +41,13 @@ fn compatibility(input: CompatibilityInput) -> Compatibility {
     }
 }
 
-fn half_width(value: f64, path: &str) -> Result<f64, Finding> {
-    if value.is_finite() && value > 0.0 {
-        Ok(value)
-    } else {
-        Err(Finding::new(
-            path,
-            format!(
-                "{} is {value} m: it must be finite and above zero",
-                path.rsplit('.').next().unwrap_or(path)
-            ),
-        ))
-    }
+fn length(key: &'static str, value: f64, path: &str) -> Result<f64, Finding> {
+    positive(key, value, "m").map_err(|e| Finding::out_of_range(path, e))
 }
 
 fn contact(input: &ContactInput, path: &str) -> Result<Strip, Finding> {
     Ok(Strip {
-        half_width: half_width(input.half_width, &format!("{path}.half_width"))?,
+        half_width: length("half_width", input.half_width, path)?,
         compatibility: compatibility(input.compatibility),
     })
 }
@@ -82,19 +57,9 @@ fn wave_speed(input: &BallastInput, young: f64, path: &str) -> Result<f64, Findi
     match (input.wave_speed, input.density, input.poisson) {
         (Some(speed), None, None) => Ok(speed),
         (None, Some(density), poisson) => {
-            if !(density.is_finite() && density > 0.0) {
-                return Err(Finding::new(
-                    format!("{path}.density"),
-                    format!("ballast density is {density} kg/m³: it must be finite and above zero"),
-                ));
-            }
-            let nu = poisson.unwrap_or(0.0);
-            if !(nu > -1.0 && nu < 0.5) {
-                return Err(Finding::new(
-                    format!("{path}.poisson"),
-                    format!("Poisson's ratio is {nu}: it must lie above -1 and below 0.5"),
-                ));
-            }
+            let refused = |e| Finding::out_of_range(path, e);
+            let density = positive("density", density, "kg/m³").map_err(refused)?;
+            let nu = between("poisson", poisson.unwrap_or(0.0), "", (-1.0, 0.5)).map_err(refused)?;
             Ok((young * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu)) / density).sqrt())
         }
         (Some(_), _, _) => Err(Finding::new(format!("{path}.wave_speed"), "the wave speed is given twice")
@@ -166,13 +131,13 @@ fn load(input: &LoadInput, path: &str) -> Result<Contact, Finding> {
                 .help("remove its size, or say kind = \"patch\"")),
         },
         LoadKind::Patch => {
-            let length = *need(&input.half_length, path, "half_length", "patch")?;
-            let width = *need(&input.half_width, path, "half_width", "patch")?;
+            let half_length = *need(&input.half_length, path, "half_length", "patch")?;
+            let half_width = *need(&input.half_width, path, "half_width", "patch")?;
             let compatible = *need(&input.compatibility, path, "compatibility", "patch")?;
             Ok(Contact::Patch {
-                half_length: half_width(length, &format!("{path}.half_length"))?,
+                half_length: length("half_length", half_length, path)?,
                 strip: Strip {
-                    half_width: half_width(width, &format!("{path}.half_width"))?,
+                    half_width: length("half_width", half_width, path)?,
                     compatibility: compatibility(compatible),
                 },
             })
@@ -224,11 +189,11 @@ pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, 
     let stack = match input.kind {
         TrackKind::Ballasted => {
             let sleeper_mass = need(&input.sleeper, path, "sleeper", kind)?.mass;
-            Member::mass(sleeper_mass).map_err(|e| fault(&at("sleeper"), &e))?;
+            Member::mass(sleeper_mass).map_err(fault(&at("sleeper")))?;
             let ballast = ballast(need(&input.ballast, path, "ballast", kind)?, strip, &at("ballast"))?;
             Ballasted { rail: rail()?, pad: pad()?, sleeper_mass, ballast }
                 .stack()
-                .map_err(|e| fault(&at("ballast"), &e))?
+                .map_err(fault(&at("ballast")))?
         }
         TrackKind::Slab => {
             let slab = beam(need(&input.slab, path, "slab", kind)?, &at("slab"))?;

@@ -4,6 +4,7 @@ use super::error::CaseError;
 use super::load::{Loader, Resolved};
 use super::schema::{ModelInput, TrainInput, TreadInput};
 use super::values::Named;
+use crate::quantity::positive;
 use crate::vehicle::{Axle, BodyError, FourAxle, Hertz, Multibody, Suspension, Train, Tread, VehicleError};
 
 /// Longest train [m] and heaviest axle [N] a case may ask for.
@@ -43,28 +44,23 @@ fn word(model: ModelInput) -> &'static str {
     }
 }
 
-/// A fault of a constructor, at the key its quantity names.
-fn body_fault(place: &Place, error: &BodyError) -> CaseError {
-    let key = match error {
-        BodyError::NotPositive { quantity, .. } | BodyError::Negative { quantity, .. } => match *quantity {
-            "body mass" => "body.mass",
-            "body pitch inertia" => "body.pitch_inertia",
-            "distance of the bogie centres" => "body.bogie_centres",
-            "bogie mass" => "bogie.mass",
-            "bogie pitch inertia" => "bogie.pitch_inertia",
-            "wheelbase" => "bogie.wheelbase",
-            "wheelset mass" => "wheelset.mass",
-            "primary stiffness" => "primary.stiffness",
-            "primary damping" => "primary.damping",
-            "secondary stiffness" => "secondary.stiffness",
-            "secondary damping" => "secondary.damping",
-            "wheel radius" => "wheel_rail.radius",
-            _ => "wheel_rail",
-        },
+/// The key a fault of a constructor names.
+fn key(error: &BodyError) -> &'static str {
+    match error {
+        BodyError::OutOfRange(error) => error.key,
         BodyError::Offset { .. } => "length",
         BodyError::BogiesOverlap { .. } => "bogie.wheelbase",
-    };
-    place.fault(key, error)
+    }
+}
+
+/// A fault of a constructor, at its key.
+fn body_fault(place: &Place, error: &BodyError) -> CaseError {
+    place.fault(key(error), error)
+}
+
+/// `value` at `key` of `place`, if finite and above zero.
+fn above_zero(place: &Place, key: &'static str, value: f64, unit: &'static str) -> Result<f64, CaseError> {
+    positive(key, value, unit).map_err(|e| place.fault(key, e))
 }
 
 /// The vehicle on two bogies of `vehicle`, if it has one.
@@ -137,10 +133,7 @@ fn offsets(outer: &Place, vehicle: &Place) -> Result<Vec<f64>, CaseError> {
             return Err(outer.advise("count", message, "add `length = …` [m], or use count = 1"));
         }
     };
-    if !(length.is_finite() && length > 0.0) {
-        let message = format!("length is {length} m: it must be finite and above zero");
-        return Err(place.fault("length", message));
-    }
+    let length = above_zero(place, "length", length, "m")?;
     Ok((0..count).map(|i| length * i as f64).collect())
 }
 
@@ -174,10 +167,8 @@ fn loads(axles: Vec<Axle>, vehicle: &Place) -> Result<Train, CaseError> {
 fn contact(place: &Place, train: &Train) -> Result<Option<f64>, CaseError> {
     let Some(input) = place.table.wheel_rail else { return Ok(None) };
     match (input.stiffness, input.radius, input.tread) {
-        (Some(stiffness), None, None) if stiffness.is_finite() && stiffness > 0.0 => Ok(Some(stiffness)),
         (Some(stiffness), None, None) => {
-            let message = format!("{stiffness} N/m: it must be finite and above zero");
-            Err(place.fault("wheel_rail.stiffness", message))
+            above_zero(place, "wheel_rail.stiffness", stiffness, "N/m").map(Some)
         }
         (None, Some(radius), tread) => {
             let tread = match tread {
@@ -188,7 +179,7 @@ fn contact(place: &Place, train: &Train) -> Result<Option<f64>, CaseError> {
             Hertz::new(tread, radius)
                 .and_then(|hertz| hertz.wheelset_stiffness(load))
                 .map(Some)
-                .map_err(|e| body_fault(place, &e))
+                .map_err(|e| place.fault(&format!("wheel_rail.{}", key(&e)), e))
         }
         (None, None, _) => Err(place.advise(
             "wheel_rail",
@@ -240,9 +231,8 @@ pub fn train(loader: &Loader, named: &Named<TrainInput>) -> Result<(Train, Wheel
         first(|t| t.wheel_rail.is_some()),
     );
     let (model, mass) = (model_at.table.model, mass_at.table.unsprung_mass);
-    if let Some(mass) = mass.filter(|m| !(m.is_finite() && *m > 0.0)) {
-        let message = format!("{mass} kg: it must be finite and above zero");
-        return Err(mass_at.fault("unsprung_mass", message));
+    if let Some(mass) = mass {
+        above_zero(mass_at, "unsprung_mass", mass, "kg")?;
     }
     let four = four_axle(vehicle)?;
     let several = model.filter(|m| *m != ModelInput::Unsprung);

@@ -3,7 +3,7 @@
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
-/// Moving trains on layered ground: critical speed, track deflection, ground contours.
+/// Moving trains on layered ground: critical speed, track deflection, ground contours, vibration of the free field.
 #[derive(Debug, Parser)]
 #[command(name = "groundwave", version, about, arg_required_else_help = true)]
 pub struct Arguments {
@@ -44,7 +44,7 @@ pub struct RunArguments {
     /// Threads to use [default: all]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
-    /// Concerns about the result are failures
+    /// Concerns about the result are failures: the results are written, the exit code is 1
     #[arg(long)]
     pub strict: bool,
     /// Replace an existing output folder

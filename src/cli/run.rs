@@ -3,7 +3,7 @@
 use super::args::RunArguments;
 use super::progress::Bar;
 use super::{BAD_INPUT, DONE, FAILED, complain, say};
-use groundwave::case::{Case, RunError, RunOptions, Summary, check_output, run as run_case, staging_prefix};
+use groundwave::case::{Case, RunError, RunOptions, Summary, check_output, run as run_case, sweep};
 use groundwave::progress::Observer;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -44,15 +44,9 @@ fn default_out(case: &Path) -> PathBuf {
 }
 
 /// Removes what an interrupted run leaves beside its output folder.
-fn sweep_on_interrupt(out: &Path) {
-    let parent = out.parent().unwrap_or(out).to_owned();
+fn sweep_on_interrupt(out: PathBuf) {
     let _ = ctrlc::set_handler(move || {
-        let prefix = staging_prefix();
-        for entry in std::fs::read_dir(&parent).into_iter().flatten().flatten() {
-            if entry.file_name().to_string_lossy().starts_with(&prefix) {
-                let _ = std::fs::remove_dir_all(entry.path());
-            }
-        }
+        sweep(&out);
         eprintln!("\ninterrupted: nothing written");
         std::process::exit(130);
     });
@@ -71,7 +65,7 @@ pub fn run(arguments: &RunArguments) -> u8 {
     }
     let out = arguments.out.clone().unwrap_or_else(|| default_out(&arguments.case));
     match check_output(&out, arguments.overwrite) {
-        Ok(whole) => sweep_on_interrupt(&whole),
+        Ok(whole) => sweep_on_interrupt(whole),
         Err(error) => {
             eprintln!("error: {error}");
             return BAD_INPUT;
@@ -79,15 +73,20 @@ pub fn run(arguments: &RunArguments) -> u8 {
     }
     let started = Instant::now();
     let bar = Bar::new();
-    let options = RunOptions { out: out.clone(), overwrite: arguments.overwrite, strict: arguments.strict };
+    let options = RunOptions { out: out.clone(), overwrite: arguments.overwrite };
     let result = run_case(&case, &options, &bar);
     bar.end();
     match result {
         Ok(summary) => {
             print(&case, &summary, &out, started);
+            if arguments.strict && !summary.concerns.is_empty() {
+                let codes: Vec<&str> = summary.concerns.iter().map(|c| c.code).collect();
+                eprintln!("error: concerns under --strict: {}", codes.join(", "));
+                return FAILED;
+            }
             DONE
         }
-        Err(error @ (RunError::Exists { .. } | RunError::Foreign { .. } | RunError::Unwritable { .. })) => {
+        Err(error @ RunError::Folder(_)) => {
             eprintln!("error: {error}");
             BAD_INPUT
         }

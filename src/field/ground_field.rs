@@ -255,7 +255,7 @@ impl GroundField<'_> {
                 let omega = -k * cos * self.speed;
                 let at = |profile: &Profile| {
                     let ground = self.solver.prepare(profile, omega, &[])?;
-                    Ok(component(quantity, &ground.surface(k), cos, sin))
+                    Ok::<_, SoilError>(component(quantity, &ground.surface(k), cos, sin))
                 };
                 let force = if cos >= 0.0 { self.force(k * cos) } else { self.force(-k * cos).conj() };
                 let mut value = force * self.load.across(k * sin) * at(self.profile)?;

@@ -1,5 +1,6 @@
 //! What is asked of the ground's field, quantity, window and load, and the grid of the transform that follows from it.
 
+use crate::math::decimal::arithmetic;
 use crate::math::fourier::Axis;
 use crate::soil::strip::sinc;
 use ndarray::Array2;
@@ -46,7 +47,7 @@ impl Window {
     /// Positions along one side.
     fn positions(&self, side: (f64, f64)) -> Vec<f64> {
         let count = ((side.1 - side.0) / self.spacing + 1e-9).floor() as usize + 1;
-        (0..count).map(|i| side.0 + self.spacing * i as f64).collect()
+        arithmetic(side.0, self.spacing, count)
     }
 
     /// x′ of the columns [m].

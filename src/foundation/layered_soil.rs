@@ -2,6 +2,7 @@
 
 use super::{Foundation, FoundationError, Moving, Stiffness};
 use crate::math::interpolation::{Interpolant, NODES};
+use crate::quantity::positive;
 use crate::soil::{GroundSolver, PreparedGround, Profile, SoilError, Solver, Strip};
 use num_complex::Complex64;
 use std::cell::RefCell;
@@ -52,10 +53,7 @@ impl LayeredSoil {
     /// # Errors
     /// A half-width that is not finite and positive.
     pub fn new(profile: Profile, solver: Solver, strip: Strip) -> Result<Self, FoundationError> {
-        let value = strip.half_width;
-        if !(value.is_finite() && value > 0.0) {
-            return Err(FoundationError::NotPositive { quantity: "contact half-width", value, unit: "m" });
-        }
+        positive("half_width", strip.half_width, "m")?;
         Ok(Self { profile, solver, strip, prepared: Mutex::default() })
     }
 

@@ -6,6 +6,7 @@ mod winkler;
 pub use layered_soil::LayeredSoil;
 pub use winkler::Winkler;
 
+use crate::quantity::OutOfRange;
 use crate::soil::SoilError;
 use num_complex::Complex64;
 use thiserror::Error;
@@ -65,26 +66,9 @@ pub enum FoundationError {
     /// The ground cannot answer.
     #[error(transparent)]
     Soil(#[from] SoilError),
-    /// A parameter must be finite and positive.
-    #[error("{quantity} is {value} {unit}: it must be finite and above zero")]
-    NotPositive {
-        /// What it is.
-        quantity: &'static str,
-        /// What was given.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-    },
-    /// A parameter must be finite and not negative.
-    #[error("{quantity} is {value} {unit}: it must be finite and not negative")]
-    Negative {
-        /// What it is.
-        quantity: &'static str,
-        /// What was given.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-    },
+    /// A quantity out of its range.
+    #[error(transparent)]
+    OutOfRange(#[from] OutOfRange),
     /// Waves of undamped ground are real poles of the integral.
     #[error(
         "the ground has no damping and the phase speed {phase_speed:.1} m/s exceeds its slowest wave ({slowest:.1} m/s): \

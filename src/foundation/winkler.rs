@@ -2,6 +2,7 @@
 
 use super::{Foundation, FoundationError, Moving, Stiffness};
 use crate::math::complex::sign;
+use crate::quantity::{not_negative, positive};
 use num_complex::Complex64;
 
 /// k(1 + iη sgn ω) + iωc, the same for every β. Source: Eq. (2), (19), (23).
@@ -18,21 +19,11 @@ impl Winkler {
     /// # Errors
     /// A stiffness that is not positive, negative damping.
     pub fn new(stiffness: f64, damping: f64, loss_factor: f64) -> Result<Self, FoundationError> {
-        if !(stiffness.is_finite() && stiffness > 0.0) {
-            return Err(FoundationError::NotPositive {
-                quantity: "foundation stiffness",
-                value: stiffness,
-                unit: "N/m²",
-            });
-        }
-        for (quantity, value, unit) in
-            [("foundation damping", damping, "N s/m²"), ("foundation loss factor", loss_factor, "")]
-        {
-            if !(value.is_finite() && value >= 0.0) {
-                return Err(FoundationError::Negative { quantity, value, unit });
-            }
-        }
-        Ok(Self { stiffness, damping, loss_factor })
+        Ok(Self {
+            stiffness: positive("stiffness", stiffness, "N/m²")?,
+            damping: not_negative("damping", damping, "N s/m²")?,
+            loss_factor: not_negative("loss_factor", loss_factor, "")?,
+        })
     }
 
     fn at(&self, omega: f64) -> Complex64 {

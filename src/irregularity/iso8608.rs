@@ -1,6 +1,7 @@
 //! Road profiles of ISO 8608, for tracks described like roads.
 
-use super::{IrregularityError, positive};
+use super::IrregularityError;
+use crate::quantity::positive;
 use std::f64::consts::TAU;
 
 /// n₀ [cycles/m]
@@ -23,7 +24,7 @@ impl Iso8608 {
     /// # Errors
     /// A roughness that is not positive.
     pub fn new(roughness: f64) -> Result<Self, IrregularityError> {
-        Ok(Self { s_0: positive("roughness at 0.1 cycles/m", roughness, "m³")?, class: None })
+        Ok(Self { s_0: positive("roughness", roughness, "m³")?, class: None })
     }
 
     /// The geometric mean of a `class`, from 'A', 16e-6 m³, four times more in each step, to 'H'.

@@ -28,6 +28,7 @@ pub use sncf::Sncf;
 
 use crate::columns::ColumnsError;
 use crate::math::quadrature::{self, Tolerance};
+use crate::quantity::OutOfRange;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 use thiserror::Error;
@@ -123,26 +124,9 @@ impl Spectrum {
 /// Why an irregularity cannot be built.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum IrregularityError {
-    /// A quantity must be finite and positive.
-    #[error("{quantity} is {value} {unit}: it must be finite and above zero")]
-    NotPositive {
-        /// What it is.
-        quantity: &'static str,
-        /// What was given.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-    },
-    /// A quantity must be finite.
-    #[error("{quantity} is {value} {unit}: it must be finite")]
-    NotFinite {
-        /// What it is.
-        quantity: &'static str,
-        /// What was given.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-    },
+    /// A quantity out of its range.
+    #[error(transparent)]
+    OutOfRange(#[from] OutOfRange),
     /// A class the spectrum does not have.
     #[error("{spectrum} has no class {found}: choose one of {allowed}")]
     Class {
@@ -193,20 +177,6 @@ pub enum IrregularityError {
         /// How many are needed.
         least: usize,
     },
-}
-
-/// `value` if finite and above zero.
-fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, IrregularityError> {
-    if value.is_finite() && value > 0.0 {
-        Ok(value)
-    } else {
-        Err(IrregularityError::NotPositive { quantity, value, unit })
-    }
-}
-
-/// `value` if finite.
-fn finite(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, IrregularityError> {
-    if value.is_finite() { Ok(value) } else { Err(IrregularityError::NotFinite { quantity, value, unit }) }
 }
 
 #[cfg(test)]

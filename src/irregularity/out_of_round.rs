@@ -1,7 +1,8 @@
 //! Wheels that are not round.
 
 use super::realisation::SplitMix64;
-use super::{Component, IrregularityError, Realisation, finite, positive};
+use super::{Component, IrregularityError, Realisation};
+use crate::quantity::{finite, positive};
 use std::f64::consts::{PI, TAU};
 
 /// One harmonic of the radius of a wheel: amplitude · cos(order · angle + phase), positive outward.
@@ -24,7 +25,7 @@ pub struct Order {
 /// # Errors
 /// No order; order 0; a radius or amplitude that is not positive; a phase that is not finite.
 pub fn out_of_round(radius: f64, orders: &[Order]) -> Result<Realisation, IrregularityError> {
-    positive("wheel radius", radius, "m")?;
+    positive("radius", radius, "m")?;
     if orders.is_empty() {
         return Err(IrregularityError::NoComponent);
     }
@@ -34,8 +35,8 @@ pub fn out_of_round(radius: f64, orders: &[Order]) -> Result<Realisation, Irregu
         }
         Ok(Component {
             wavenumber: f64::from(o.order) / radius,
-            amplitude: positive("amplitude of an out-of-round wheel", o.amplitude, "m")?,
-            phase: finite("phase of an out-of-round wheel", o.phase, "rad")? + PI,
+            amplitude: positive("amplitude", o.amplitude, "m")?,
+            phase: finite("phase", o.phase, "rad")? + PI,
         })
     };
     Realisation::new(orders.iter().map(component).collect::<Result<_, _>>()?, TAU * radius)

@@ -1,6 +1,7 @@
 //! One profile out of the many a spectrum allows, as a sum of sinusoids.
 
-use super::{IrregularityError, Spectrum, finite, positive};
+use super::{IrregularityError, Spectrum};
+use crate::quantity::{finite, positive};
 use std::f64::consts::TAU;
 
 /// amplitude · cos(Ωx + phase).
@@ -35,14 +36,14 @@ impl Realisation {
     /// # Errors
     /// No component; a wavenumber or length that is not positive; an amplitude or phase that is not finite.
     pub fn new(components: Vec<Component>, repeat_length: f64) -> Result<Self, IrregularityError> {
-        positive("length after which the profile repeats", repeat_length, "m")?;
+        positive("repeat_length", repeat_length, "m")?;
         if components.is_empty() {
             return Err(IrregularityError::NoComponent);
         }
         for c in &components {
-            positive("wavenumber of a component", c.wavenumber, "rad/m")?;
-            finite("amplitude of a component", c.amplitude, "m")?;
-            finite("phase of a component", c.phase, "rad")?;
+            positive("wavenumber", c.wavenumber, "rad/m")?;
+            finite("amplitude", c.amplitude, "m")?;
+            finite("phase", c.phase, "rad")?;
         }
         Ok(Self { components, repeat_length, from: 0.0 })
     }
@@ -74,8 +75,8 @@ impl Realisation {
         count: usize,
         seed: u64,
     ) -> Result<Self, IrregularityError> {
-        let shortest = positive("shortest wavelength", wavelengths.0, "m")?;
-        let longest = positive("longest wavelength", wavelengths.1, "m")?;
+        let shortest = positive("wavelengths.from", wavelengths.0, "m")?;
+        let longest = positive("wavelengths.to", wavelengths.1, "m")?;
         if shortest >= longest {
             return Err(IrregularityError::Wavelengths { shortest, longest });
         }
@@ -259,7 +260,7 @@ mod tests {
     fn refuses_what_it_cannot_build() {
         let of =
             |wavelengths, count| Realisation::of(&class_5(), wavelengths, count, 0).unwrap_err().to_string();
-        assert_eq!(of((0.0, 3.0), 9), "shortest wavelength is 0 m: it must be finite and above zero");
+        assert_eq!(of((0.0, 3.0), 9), "wavelengths.from is 0 m: it must be finite and above zero");
         assert!(of((30.0, 3.0), 9).contains("from 30 m to 3 m"));
         assert!(of((3.0, 30.0), 0).contains("at least 1"));
     }

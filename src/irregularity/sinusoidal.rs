@@ -1,6 +1,7 @@
 //! One sinusoid: corrugation, or the probe of a linear model.
 
-use super::{Component, IrregularityError, Realisation, finite, positive};
+use super::{Component, IrregularityError, Realisation};
+use crate::quantity::{finite, positive};
 use std::f64::consts::TAU;
 
 /// r(x) = `amplitude` cos(2πx/`wavelength` + `phase`), amplitude and wavelength [m], phase [rad].

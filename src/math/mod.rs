@@ -1,7 +1,8 @@
-//! Numerical ground floor: quadrature, Fourier transforms, special functions, small complex helpers.
+//! Numerical ground floor: quadrature, Fourier transforms, special functions, decimals, small complex helpers.
 
 pub mod bessel;
 pub mod complex;
+pub mod decimal;
 pub mod fourier;
 pub mod interpolation;
 pub mod maximum;

@@ -3,6 +3,9 @@
 /// Powers of ten written out in full up to here; beyond, the axis carries a factor ×10ⁿ.
 const PLAIN: std::ops::Range<f64> = 1e-2..1e5;
 
+/// Sizes that have a place on an axis: beyond, margins and ticks leave the range of floating-point numbers.
+pub(super) const PLACES: std::ops::Range<f64> = 1e-290..1e290;
+
 /// A linear or logarithmic map from values to pixels.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scale {

@@ -5,6 +5,7 @@
 
 use super::axis::{Scale, Ticks, superscript};
 use super::colours::{FAINT, INK, Rgb};
+use super::page::{Area, Point};
 use super::raster::{self, Image};
 use kuva::backend::svg::SvgBackend;
 use kuva::render::color::Color;
@@ -17,39 +18,6 @@ pub(super) const LABEL: u32 = 16;
 pub(super) const TICK: u32 = 14;
 /// Stands for the image within the SVG text until the image is put there.
 const IMAGE_MARK: &str = r#"class="field""#;
-
-/// A point of the page [px], y downward.
-pub(super) type Point = (f64, f64);
-
-/// An upright rectangle of the page [px].
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Area {
-    pub left: f64,
-    pub top: f64,
-    pub right: f64,
-    pub bottom: f64,
-}
-
-impl Area {
-    pub fn width(&self) -> f64 {
-        self.right - self.left
-    }
-
-    pub fn height(&self) -> f64 {
-        self.bottom - self.top
-    }
-
-    pub fn contains(&self, (x, y): Point) -> bool {
-        (self.left..=self.right).contains(&x) && (self.top..=self.bottom).contains(&y)
-    }
-
-    pub fn overlaps(&self, other: &Self) -> bool {
-        self.left < other.right
-            && other.left < self.right
-            && self.top < other.bottom
-            && other.top < self.bottom
-    }
-}
 
 /// Colour, width [px] and, for a dashed line, the lengths of dash and gap [px].
 #[derive(Clone, Copy, Debug)]

@@ -13,7 +13,7 @@
 //! header row `name [units]`. Read it with `pandas.read_csv(path, comment="#")` (a matrix with `index_col=0`) or with
 //! MATLAB's `readtable(path, CommentStyle="#", VariableNamingRule="preserve")`.
 
-use super::{OutputError, whole::write_bytes};
+use super::{OutputError, save};
 use crate::dataset::{Attribute, Group, Variable};
 use ndarray::Dimension;
 use std::fmt::Write as _;
@@ -55,7 +55,7 @@ pub fn write(group: &Group, dir: &Path) -> Result<Vec<PathBuf>, OutputError> {
         .into_iter()
         .map(|(name, text)| {
             let path = dir.join(name);
-            write_bytes(&path, text.as_bytes())?;
+            save(&path, text.as_bytes())?;
             Ok(path)
         })
         .collect()

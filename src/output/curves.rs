@@ -1,12 +1,12 @@
 //! The points of a figure's curves: which can be shown, and the ranges they need.
 
-use super::axis::step;
-use super::canvas::Point;
+use super::axis::{PLACES, step};
+use super::page::Point;
 use crate::figure::{LineFigure, Series, Stroke};
 
 /// True for a value that has a place on an axis.
 fn shown(value: f64, log: bool) -> bool {
-    value.is_finite() && (!log || value > 0.0)
+    if log { PLACES.contains(&value) } else { value.abs() < PLACES.end }
 }
 
 /// The vertical marks that have a place on the x axis.
@@ -70,9 +70,10 @@ fn widen((lo, hi): (f64, f64), log: bool, margin: f64, from_zero: bool) -> (f64,
         let factor = 10f64.powf(if decades > 0.0 { margin * decades } else { 0.5 });
         return (lo / factor, hi * factor);
     }
-    if hi - lo <= 1e-12 * lo.abs().max(hi.abs()) {
+    let size = lo.abs().max(hi.abs());
+    if hi - lo <= 1e-12 * size || size < PLACES.start {
         // A constant, perhaps with rounding noise: show it as flat, between whole steps.
-        let half = if hi == 0.0 { 1.0 } else { step(hi.abs(), 2) };
+        let half = if size < PLACES.start { 1.0 } else { step(size, 2) };
         return (lo - half, hi + half);
     }
     let more = margin * (hi - lo);

@@ -64,13 +64,13 @@ pub enum OutputError {
         key: String,
     },
     /// A figure holds nothing that can be drawn.
-    #[error("cannot draw the figure `{figure}`: {reason}; give it {remedy}")]
+    #[error("there is no picture `{figure}`: {reason}; it needs {needed}")]
     Figure {
         /// File stem of the figure.
         figure: String,
         /// What is wrong with it.
         reason: String,
         /// What it needs.
-        remedy: String,
+        needed: String,
     },
 }

@@ -2,7 +2,7 @@
 //!
 //! The only file that knows the HDF5 library.
 
-use super::{OutputError, whole::whole};
+use super::OutputError;
 use crate::dataset::{Attribute, Dataset, Group, Variable};
 use ::hdf5::types::VarLenUnicode;
 use ::hdf5::{H5Dataset, H5File, H5Group, Hdf5Error};
@@ -19,7 +19,8 @@ const CHUNK: usize = 65_536;
 /// Every [`Group`] becomes an HDF5 group and every variable a dataset of 64-bit floats with the attributes `units` and
 /// `long_name`. A coordinate is a dimension scale (`CLASS`, `NAME`) and is attached to each axis that bears its name
 /// (`DIMENSION_LIST`), so that `xarray.open_dataset(path, group = "critical_speed", engine = "h5netcdf")` finds the
-/// coordinates by itself. Arrays above 64 kB are chunked, shuffled and deflated at level 1.
+/// coordinates by itself. Where a variable has gaps, NaN stands there and is its `_FillValue`. The order of creation is
+/// tracked, without which netCDF4 does not open a file to append. Arrays above 64 kB are chunked, shuffled and deflated at level 1.
 ///
 /// # Errors
 /// [`OutputError::Dimension`] for a dimension without a coordinate of the same length; [`OutputError::Hdf5`] and
@@ -31,22 +32,17 @@ pub fn write(dataset: &Dataset, path: &Path) -> Result<(), OutputError> {
     for group in &dataset.groups {
         check_dimensions(group, path)?;
     }
-    whole(path, |aside| {
-        let failed = |object: &str| {
-            let object = object.to_owned();
-            move |source: Hdf5Error| OutputError::Hdf5 {
-                path: path.to_owned(),
-                object,
-                source: Box::new(source),
-            }
-        };
-        let file = H5File::create(aside).map_err(failed("the file"))?;
-        write_attributes(&file.root_group(), &dataset.attributes).map_err(failed("the root attributes"))?;
-        for group in &dataset.groups {
-            write_group(&file, group).map_err(failed(&format!("the group {}", group.name)))?;
-        }
-        file.close().map_err(failed("the file"))
-    })
+    let failed = |object: &str| {
+        let object = object.to_owned();
+        move |source: Hdf5Error| OutputError::Hdf5 { path: path.to_owned(), object, source: Box::new(source) }
+    };
+    // netCDF appends only to files that know the order in which things were created
+    let file = H5File::options().track_order(true).create(path).map_err(failed("the file"))?;
+    write_attributes(&file.root_group(), &dataset.attributes).map_err(failed("the root attributes"))?;
+    for group in &dataset.groups {
+        write_group(&file, group).map_err(failed(&format!("the group {}", group.name)))?;
+    }
+    file.close().map_err(failed("the file"))
 }
 
 /// The text attribute `name` of the file at `path`.
@@ -109,8 +105,10 @@ fn write_variable(place: &H5Group, variable: &Variable) -> Result<H5Dataset, Hdf
     } else {
         builder.shape(shape)
     };
-    let stored = builder.create(&variable.name)?;
     let values: Vec<f64> = variable.values.iter().copied().collect();
+    let gaps = values.iter().any(|v| v.is_nan());
+    let builder = if gaps { builder.fill_value(f64::NAN) } else { builder };
+    let stored = builder.create(&variable.name)?;
     // An empty array owns no storage that could be written to.
     if !values.is_empty() {
         stored.write_raw(&values)?;
@@ -118,6 +116,9 @@ fn write_variable(place: &H5Group, variable: &Variable) -> Result<H5Dataset, Hdf
     for (name, text) in [("units", &variable.units), ("long_name", &variable.long_name)] {
         let attribute = stored.new_attr::<VarLenUnicode>().shape(()).create(name)?;
         attribute.write_string(text)?;
+    }
+    if gaps {
+        stored.new_attr::<f64>().shape(()).create("_FillValue")?.write_numeric(&f64::NAN)?;
     }
     Ok(stored)
 }
@@ -200,6 +201,30 @@ mod tests {
         let x = file.dataset("track_response/x").unwrap();
         assert_eq!(x.attr("CLASS").unwrap().read_string().unwrap(), "DIMENSION_SCALE");
         assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn gaps_are_fill_values() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("results.h5");
+        let group = Group::new("dispersion")
+            .coordinate("mode", &[0.0, 1.0], "1", "number")
+            .variable("c", &["mode"], ndarray::arr1(&[80.0, f64::NAN]).into_dyn(), "m s-1", "phase velocity")
+            .variable("found", &["mode"], ndarray::arr1(&[1.0, 0.0]).into_dyn(), "1", "found");
+        write(&Dataset { groups: vec![group], ..Dataset::default() }, &path).unwrap();
+        let file = H5File::open(&path).unwrap();
+        let fill = |name: &str| {
+            let stored = file.dataset(&format!("dispersion/{name}")).unwrap();
+            stored.attr("_FillValue").and_then(|a| a.read_numeric::<f64>())
+        };
+        assert!(fill("c").unwrap().is_nan());
+        assert!(fill("found").is_err());
+        // tracked, without which netCDF4 does not append
+        let place = file.root_group().group("dispersion").unwrap();
+        assert!(
+            place.link_creation_order().unwrap().is_indexed()
+                && place.attr_creation_order().unwrap().is_indexed()
+        );
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! JSON documents such as `summary.json`.
 
-use super::{OutputError, whole::write_bytes};
+use super::{OutputError, save};
 use serde_json::Value;
 use std::path::Path;
 
@@ -14,7 +14,7 @@ pub fn write(value: &Value, path: &Path) -> Result<(), OutputError> {
     if let Some(key) = null_key(value) {
         return Err(OutputError::NotFinite { path: path.to_owned(), key });
     }
-    write_bytes(path, format!("{value:#}\n").as_bytes())
+    save(path, format!("{value:#}\n").as_bytes())
 }
 
 /// The path of the first null within `value`, e.g. `a.b[2]`; empty for a document that is null.

@@ -2,9 +2,10 @@
 
 use super::OutputError;
 use super::axis::Scale;
-use super::canvas::{Anchor, Area, Canvas, Pen, Point, TICK, label_room, text_width};
+use super::canvas::{Anchor, Canvas, Pen, TICK, label_room, text_width};
 use super::colours::{GREY, INK, Rgb, curve};
 use super::curves::{marks, ranges, runs, thin_out};
+use super::page::{Area, Point};
 use crate::figure::{LineFigure, Stroke};
 
 /// Page width [px].
@@ -27,7 +28,7 @@ pub(super) fn draw(figure: &LineFigure) -> Result<Canvas, OutputError> {
         return Err(OutputError::Figure {
             figure: figure.name.clone(),
             reason: "no curve has a point that can be shown".to_owned(),
-            remedy: "at least one finite point (positive on a logarithmic axis)".to_owned(),
+            needed: "at least one finite point (positive on a logarithmic axis)".to_owned(),
         });
     };
     let plan = |room_right: f64| Plan::new(figure, x_range, y_range, room_right);
@@ -236,7 +237,7 @@ pub(super) fn stroke(canvas: &mut Canvas, points: Vec<Point>, stroke: Stroke, co
 mod tests {
     use super::*;
     use crate::figure::{Figure, SecondAxis, Series};
-    use crate::output::plot::{png, svg};
+    use crate::output::plot::Picture;
 
     fn figure() -> LineFigure {
         let x: Vec<f64> = (0..100).map(|i| 10.0 + f64::from(i)).collect();
@@ -262,7 +263,7 @@ mod tests {
 
     #[test]
     fn the_svg_carries_every_label() {
-        let svg = svg(&Figure::Lines(figure())).unwrap();
+        let svg = Picture::of(&Figure::Lines(figure())).unwrap().svg;
         for text in [
             "Deflection &amp; speed",
             "speed [m/s]",
@@ -280,7 +281,7 @@ mod tests {
 
     #[test]
     fn the_png_has_twice_the_size_of_the_page() {
-        let png = png(&Figure::Lines(figure())).unwrap();
+        let png = Picture::of(&Figure::Lines(figure())).unwrap().png;
         assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
         let number = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().unwrap());
         assert_eq!((number(16), number(20)), (1800, 1212));
@@ -313,10 +314,44 @@ mod tests {
     }
 
     #[test]
+    fn a_curve_breaks_where_a_logarithm_has_no_place_for_it() {
+        let mut figure = figure();
+        figure.log_y = true;
+        figure.series.truncate(1);
+        figure.marks.clear();
+        for (at, value) in [(20, 0.0), (40, -1.0), (60, f64::NAN), (80, 1e-320)] {
+            figure.series[0].y[at] = value;
+        }
+        let svg = Picture::of(&Figure::Lines(figure)).unwrap().svg;
+        // the only curve is drawn in its colour: five pieces, each of one move and lines
+        let colour = curve(0, 1).map(|c| format!("{c:02x}")).concat();
+        let paths: Vec<&str> = svg.lines().filter(|l| l.contains("<path") && l.contains(&colour)).collect();
+        assert_eq!(paths.len(), 5, "{paths:#?}");
+        assert!(paths.iter().all(|p| p.matches('M').count() == 1));
+    }
+
+    #[test]
+    fn whatever_the_values_a_picture_comes_to_an_end() {
+        let values =
+            [0.0, -0.0, 5e-324, -1e-310, 1e-300, 1.0, 1e300, f64::MAX, f64::MIN, f64::INFINITY, f64::NAN];
+        for (a, b) in values.iter().flat_map(|a| values.map(|b| (*a, b))) {
+            for log in [false, true] {
+                let mut figure = figure();
+                (figure.log_x, figure.log_y) = (log, log);
+                for series in &mut figure.series {
+                    (series.x, series.y) = (vec![a, b, 1.0], vec![b, a, b]);
+                }
+                // drawn or refused; a wrong range would never end
+                let _ = draw(&figure);
+            }
+        }
+    }
+
+    #[test]
     fn a_figure_without_points_is_refused() {
         let mut figure = figure();
         figure.series.clear();
-        let error = svg(&Figure::Lines(figure)).unwrap_err().to_string();
+        let error = Picture::of(&Figure::Lines(figure)).unwrap_err().to_string();
         assert!(error.contains("critical_speed"), "{error}");
     }
 }

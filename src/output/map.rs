@@ -1,9 +1,10 @@
 //! Fields over a rectangle.
 
-use super::axis::Scale;
-use super::canvas::{Area, Canvas, LABEL, Pen, label_room, text_width};
+use super::axis::{PLACES, Scale};
+use super::canvas::{Canvas, LABEL, Pen, label_room, text_width};
 use super::colours::{INK, MISSING, Rgb, diverging, sequential};
 use super::lines::BELOW;
+use super::page::Area;
 use super::raster::Image;
 use super::{OutputError, overlay};
 use crate::figure::MapFigure;
@@ -22,10 +23,10 @@ const STEPS: u8 = 255;
 /// Draws the figure. The field is an embedded image, interpolated linearly between its values; what is not a number is
 /// grey.
 pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
-    let refuse = |reason: String, remedy: &str| OutputError::Figure {
+    let refuse = |reason: String, needed: &str| OutputError::Figure {
         figure: figure.name.clone(),
         reason,
-        remedy: remedy.to_owned(),
+        needed: needed.to_owned(),
     };
     let (nx, ny) = (figure.x.len(), figure.y.len());
     if figure.values.dim() != (ny, nx) || nx < 2 || ny < 2 {
@@ -132,16 +133,16 @@ fn outer(points: &[f64]) -> (f64, f64) {
 
 /// The values at both ends of the colours: symmetric about zero if the figure is; never an empty range.
 fn range(figure: &MapFigure) -> Option<(f64, f64)> {
-    let finite = figure.values.iter().copied().filter(|v| v.is_finite());
+    let finite = figure.values.iter().copied().filter(|v| v.abs() < PLACES.end);
     let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(v), hi.max(v)));
     if lo > hi {
         return None;
     }
     let size = lo.abs().max(hi.abs());
-    let unit = if size > 0.0 { size } else { 1.0 };
+    let unit = if size >= PLACES.start { size } else { 1.0 };
     Some(if figure.symmetric {
         (-unit, unit)
-    } else if lo >= 0.0 && lo < 0.1 * hi {
+    } else if size >= PLACES.start && lo >= 0.0 && lo < 0.1 * hi {
         // A modulus: its colours begin at zero.
         (0.0, hi)
     } else if hi - lo > 1e-12 * unit {
@@ -180,7 +181,7 @@ fn pixels(figure: &MapFigure, [columns, rows]: [usize; 2], place: impl Fn(f64) -
 mod tests {
     use super::*;
     use crate::figure::{Figure, Series, Stroke};
-    use crate::output::plot::{png, svg};
+    use crate::output::plot::Picture;
     use ndarray::Array2;
 
     fn figure(nx: usize, ny: usize, symmetric: bool) -> MapFigure {
@@ -208,7 +209,7 @@ mod tests {
 
     #[test]
     fn a_large_field_stays_a_light_svg() {
-        let svg = svg(&Figure::Map(figure(1100, 1024, true))).unwrap();
+        let svg = Picture::of(&Figure::Map(figure(1100, 1024, true))).unwrap().svg;
         assert!(svg.len() < 1_000_000, "{} bytes", svg.len());
         for text in ["data:image/png;base64,iVBOR", "x [m]", "y [m]", "displacement [mm]", "Vertical"] {
             assert!(svg.contains(text), "{text} is missing");
@@ -217,7 +218,7 @@ mod tests {
 
     #[test]
     fn the_png_has_twice_the_size_of_the_page() {
-        let png = png(&Figure::Map(figure(61, 41, false))).unwrap();
+        let png = Picture::of(&Figure::Map(figure(61, 41, false))).unwrap().png;
         let width = u32::from_be_bytes(png[16..20].try_into().unwrap());
         assert_eq!(width, 1800);
     }
@@ -226,7 +227,7 @@ mod tests {
     fn a_flat_map_has_its_colour_bar_below() {
         let mut map = figure(121, 11, true);
         map.y.iter_mut().for_each(|y| *y *= 0.2);
-        let svg = svg(&Figure::Map(map)).unwrap();
+        let svg = Picture::of(&Figure::Map(map)).unwrap().svg;
         let label = svg.lines().find(|l| l.contains("displacement [mm]")).unwrap();
         assert!(!label.contains("rotate"), "{label}");
     }
@@ -240,13 +241,13 @@ mod tests {
         map.symmetric = false;
         assert_eq!(range(&map), Some((-2.0, 0.0)));
         map.values.fill(f64::NAN);
-        assert!(svg(&Figure::Map(map)).is_err());
+        assert!(Picture::of(&Figure::Map(map)).is_err());
     }
 
     #[test]
     fn curves_over_the_field_are_cut_at_its_edge_and_named_below() {
         let mut map = figure(31, 31, false);
-        let plain = svg(&Figure::Map(map.clone())).unwrap();
+        let plain = Picture::of(&Figure::Map(map.clone())).unwrap().svg;
         let names = ["first mode", "free track"];
         map.overlay = [Stroke::Solid, Stroke::Dashed]
             .into_iter()
@@ -258,7 +259,7 @@ mod tests {
                 stroke,
             })
             .collect();
-        let drawn = svg(&Figure::Map(map)).unwrap();
+        let drawn = Picture::of(&Figure::Map(map)).unwrap().svg;
         let page = |svg: &str| {
             let view = svg.split("viewBox=\"").nth(1).unwrap().split('"').next().unwrap().to_owned();
             view.split(' ').map(|v| v.parse().unwrap()).collect::<Vec<f64>>()

@@ -1,7 +1,7 @@
 //! What a run leaves behind: HDF5, CSV and JSON files, pictures, and a report.
 //!
 //! Exporters take a [`Dataset`](crate::dataset::Dataset), a [`Figure`](crate::figure::Figure) or plain values and know
-//! nothing of soils or tracks. Files appear whole: written aside, then renamed.
+//! nothing of soils or tracks. They write in place: the runner gathers all files in a folder that appears whole.
 
 mod axis;
 mod canvas;
@@ -14,10 +14,30 @@ pub mod json;
 mod lines;
 mod map;
 mod overlay;
+mod page;
 pub mod plot;
 mod raster;
 pub mod report;
-mod whole;
 
 pub use error::OutputError;
 pub use report::{Report, ReportTable};
+
+use std::path::Path;
+
+/// Writes `bytes` to `path`.
+///
+/// # Errors
+/// [`OutputError::Write`] naming the file.
+pub fn save(path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
+    std::fs::write(path, bytes).map_err(|source| OutputError::Write { path: path.to_owned(), source })
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_missing_folder_is_named() {
+        let dir = tempfile::tempdir().unwrap();
+        let error = super::save(&dir.path().join("no/a.txt"), b"x").unwrap_err();
+        assert!(error.to_string().contains("a.txt"), "{error}");
+    }
+}

@@ -1,49 +1,42 @@
-//! Pictures of a figure, as SVG and as PNG.
+//! Pictures of a figure, as SVG and as PNG, from one drawing.
 
-use super::canvas::Canvas;
-use super::{OutputError, lines, map, whole::write_bytes};
+use super::{OutputError, lines, map, save};
 use crate::figure::Figure;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// The figure as SVG text, 900 px wide, with a `viewBox`, scalable.
-///
-/// # Errors
-/// [`OutputError::Figure`] if it holds nothing that can be drawn.
-pub fn svg(figure: &Figure) -> Result<String, OutputError> {
-    Ok(draw(figure)?.svg())
+/// A figure, drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// SVG text, 900 px wide, with a `viewBox`, scalable.
+    pub svg: String,
+    /// The bytes of a PNG, 1800 px wide.
+    pub png: Vec<u8>,
 }
 
-/// The figure as the bytes of a PNG, 1800 px wide.
-///
-/// # Errors
-/// [`OutputError::Figure`] if it holds nothing that can be drawn.
-pub fn png(figure: &Figure) -> Result<Vec<u8>, OutputError> {
-    rasterise(&draw(figure)?, figure)
-}
-
-/// Writes `<name>.svg` and `<name>.png` into the folder `dir`, which must exist, and returns their paths.
-///
-/// # Errors
-/// [`OutputError::Figure`] if it holds nothing that can be drawn, [`OutputError::Write`] if a file cannot be written.
-pub fn write(figure: &Figure, dir: &Path) -> Result<[PathBuf; 2], OutputError> {
-    let canvas = draw(figure)?;
-    let paths = ["svg", "png"].map(|end| dir.join(format!("{}.{end}", figure.name())));
-    write_bytes(&paths[0], canvas.svg().as_bytes())?;
-    write_bytes(&paths[1], &rasterise(&canvas, figure)?)?;
-    Ok(paths)
-}
-
-fn draw(figure: &Figure) -> Result<Canvas, OutputError> {
-    match figure {
-        Figure::Lines(lines) => lines::draw(lines),
-        Figure::Map(map) => map::draw(map),
+impl Picture {
+    /// Draws `figure`.
+    ///
+    /// # Errors
+    /// [`OutputError::Figure`] if it holds nothing that can be drawn.
+    pub fn of(figure: &Figure) -> Result<Self, OutputError> {
+        let canvas = match figure {
+            Figure::Lines(lines) => lines::draw(lines)?,
+            Figure::Map(map) => map::draw(map)?,
+        };
+        let png = canvas.png().map_err(|reason| OutputError::Figure {
+            figure: figure.name().to_owned(),
+            reason,
+            needed: "a size above zero".to_owned(),
+        })?;
+        Ok(Self { svg: canvas.svg(), png })
     }
-}
 
-fn rasterise(canvas: &Canvas, figure: &Figure) -> Result<Vec<u8>, OutputError> {
-    canvas.png().map_err(|reason| OutputError::Figure {
-        figure: figure.name().to_owned(),
-        reason,
-        remedy: "a size above zero".to_owned(),
-    })
+    /// Writes `<name>.svg` and `<name>.png` into the folder `dir`, which must exist.
+    ///
+    /// # Errors
+    /// [`OutputError::Write`] if a file cannot be written.
+    pub fn write(&self, name: &str, dir: &Path) -> Result<(), OutputError> {
+        save(&dir.join(format!("{name}.svg")), self.svg.as_bytes())?;
+        save(&dir.join(format!("{name}.png")), &self.png)
+    }
 }

@@ -1,7 +1,7 @@
 //! A drawn page as a PNG, and fields as images within an SVG.
 
-use super::canvas::{Area, Point};
 use super::colours::Rgb;
+use super::page::{Area, Point};
 use kuva::backend::raster::RasterBackend;
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, Scene};

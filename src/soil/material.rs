@@ -2,6 +2,7 @@
 
 use super::SoilError;
 use crate::math::complex::sign;
+use crate::quantity::{not_negative, positive};
 use num_complex::Complex64;
 
 /// A linear elastic isotropic material with hysteretic damping.
@@ -54,13 +55,6 @@ impl Material {
         loss_shear: f64,
         loss_pressure: f64,
     ) -> Result<Self, SoilError> {
-        let positive = |quantity: &'static str, value: f64, unit: &'static str| {
-            if value.is_finite() && value > 0.0 {
-                Ok(value)
-            } else {
-                Err(SoilError::NotPositive { quantity, value, unit })
-            }
-        };
         // written so that NaN is refused
         let ratio = |nu: f64| {
             if nu > -1.0 && nu < 0.5 { Ok(nu) } else { Err(SoilError::PoissonRatio { value: nu }) }
@@ -70,17 +64,17 @@ impl Material {
         let (mu, modulus_ratio) = match elastic {
             Elastic::YoungPoisson { young, poisson } => {
                 let nu = ratio(poisson)?;
-                let young = positive("Young's modulus", young, "Pa")?;
+                let young = positive("young", young, "Pa")?;
                 (0.5 * young / (1.0 + nu), 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu))
             }
             Elastic::ShearPoisson { shear, poisson } => {
                 let nu = ratio(poisson)?;
-                let c_s = positive("shear wave speed", shear, "m/s")?;
+                let c_s = positive("shear_speed", shear, "m/s")?;
                 (rho * c_s * c_s, 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu))
             }
             Elastic::Speeds { shear, pressure } => {
-                let c_s = positive("shear wave speed", shear, "m/s")?;
-                let c_p = positive("pressure wave speed", pressure, "m/s")?;
+                let c_s = positive("shear_speed", shear, "m/s")?;
+                let c_p = positive("pressure_speed", pressure, "m/s")?;
                 let least = c_s * (4.0f64 / 3.0).sqrt();
                 if c_p <= least {
                     return Err(SoilError::PressureSpeed { c_p, c_s, least });
@@ -88,11 +82,8 @@ impl Material {
                 (rho * c_s * c_s, (c_p / c_s).powi(2))
             }
         };
-        for (quantity, value) in [("loss factor", loss_shear), ("pressure loss factor", loss_pressure)] {
-            if !(value.is_finite() && value >= 0.0) {
-                return Err(SoilError::LossFactor { quantity, value });
-            }
-        }
+        not_negative("loss_factor", loss_shear, "")?;
+        not_negative("loss_factor_pressure", loss_pressure, "")?;
         // Im K* = η_p (λ + 2μ) − (4/3) η_s μ ≥ 0, K the bulk modulus
         let least = 4.0 / 3.0 * loss_shear / modulus_ratio;
         if loss_pressure < least * (1.0 - 1e-12) {

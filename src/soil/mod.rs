@@ -34,6 +34,7 @@ pub use thin_layer::ThinLayer;
 pub use transfer_matrix::TransferMatrix;
 
 use crate::math::quadrature::Estimate;
+use crate::quantity::OutOfRange;
 use num_complex::Complex64;
 use thiserror::Error;
 
@@ -212,16 +213,9 @@ impl GroundSolver for Solver {
 /// Why a ground cannot be built or asked.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SoilError {
-    /// A quantity must be finite and positive.
-    #[error("{quantity} is {value} {unit}: it must be finite and above zero")]
-    NotPositive {
-        /// What it is.
-        quantity: &'static str,
-        /// What was given.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-    },
+    /// A quantity out of its range.
+    #[error(transparent)]
+    OutOfRange(#[from] OutOfRange),
     /// Poisson's ratio out of range.
     #[error("Poisson's ratio is {value}: it must lie above -1 and below 0.5 (use 0.499 for undrained clay)")]
     PoissonRatio {
@@ -239,14 +233,6 @@ pub enum SoilError {
         c_s: f64,
         /// Least c_p [m/s].
         least: f64,
-    },
-    /// Loss factor negative or not finite.
-    #[error("{quantity} is {value}: it must be finite and not negative (loss factor = 2 × damping ratio)")]
-    LossFactor {
-        /// Which.
-        quantity: &'static str,
-        /// What was given.
-        value: f64,
     },
     /// The pair of loss factors makes compression feed energy in.
     #[error(

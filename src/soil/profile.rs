@@ -1,6 +1,7 @@
 //! Horizontally layered ground, valid once built.
 
 use super::{Material, SoilError};
+use crate::quantity::positive;
 
 /// A horizontal layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,12 +34,8 @@ impl Profile {
     /// # Errors
     /// A thickness that is not finite and positive; a rigid base without a layer on it.
     pub fn new(layers: Vec<Layer>, base: Base) -> Result<Self, SoilError> {
-        if let Some(layer) = layers.iter().find(|l| !(l.thickness.is_finite() && l.thickness > 0.0)) {
-            return Err(SoilError::NotPositive {
-                quantity: "layer thickness",
-                value: layer.thickness,
-                unit: "m",
-            });
+        for layer in &layers {
+            positive("thickness", layer.thickness, "m")?;
         }
         if layers.is_empty() && base == Base::Rigid {
             return Err(SoilError::NoGround);

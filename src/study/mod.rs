@@ -1,28 +1,28 @@
-//! One file per question an engineer asks.
+//! One folder per question an engineer asks: its `solve` answers with a typed result, its `shown` turns that into arrays, pictures,
+//! answers and concerns.
 
 pub mod comparison;
 mod contour;
 mod critical_speed;
 mod dispersion;
+mod doubts;
 mod equivalent_stiffness;
 mod free_field;
 mod model;
 mod receptance;
-mod receptance_map;
 mod surface_compliance;
 mod track_response;
 
 pub use comparison::Comparison;
-pub use contour::Contour;
-pub use critical_speed::CriticalSpeed;
-pub use dispersion::Dispersion;
-pub use equivalent_stiffness::EquivalentStiffness;
+pub use contour::{Contour, GroundMaps};
+pub use critical_speed::{CriticalSpeed, Hump, Peak, Plateau, SpeedCurve, SpeedCurves};
+pub use dispersion::{Crossing, Dispersion, DispersionCurves};
+pub use equivalent_stiffness::{EquivalentStiffness, StiffnessTable};
 pub use free_field::{Carrier, FreeField, Irregularity, Roughness};
 pub use model::{Contact, Model, Support};
-pub use receptance::Receptance;
-pub use receptance_map::ReceptanceMap;
-pub use surface_compliance::SurfaceComplianceTable;
-pub use track_response::{Record, TrackResponse, same_speed, tag};
+pub use receptance::{Receptance, ReceptanceMap, Receptances, Surface};
+pub use surface_compliance::{Compliances, SurfaceComplianceTable};
+pub use track_response::{Record, TrackResponse, TrackShapes, same_speed, tag};
 
 use crate::concern::Concern;
 use crate::dataset::Group;

@@ -1,6 +1,7 @@
 //! Ballasted tracks: rails, pads, sleepers and ballast, per metre of whole track (both rails).
 
-use super::{Link, Member, Stack, TrackError, not_negative, positive};
+use super::{Link, Member, Stack, TrackError};
+use crate::quantity::{not_negative, positive};
 
 /// How the ballast is modelled.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,18 +57,18 @@ impl Ballasted {
             Ballast::Bars { young, height, alpha, wave_speed, half_width, loss_factor } => Link::Bars {
                 // area 2αb per metre of track
                 axial_stiffness: 2.0
-                    * positive("ballast alpha", alpha, "")?
-                    * positive("contact half-width", half_width, "m")?
-                    * positive("ballast Young's modulus", young, "Pa")?,
-                height: positive("ballast height", height, "m")?,
-                wave_speed: positive("ballast wave speed", wave_speed, "m/s")?,
-                loss_factor: not_negative("ballast loss factor", loss_factor, "")?,
+                    * positive("alpha", alpha, "")?
+                    * positive("half_width", half_width, "m")?
+                    * positive("young", young, "Pa")?,
+                height: positive("height", height, "m")?,
+                wave_speed: positive("wave_speed", wave_speed, "m/s")?,
+                loss_factor: not_negative("loss_factor", loss_factor, "")?,
             },
             Ballast::ConsistentMass { stiffness, damping, loss_factor, mass } => Link::ConsistentMass {
-                stiffness: positive("ballast stiffness", stiffness, "N/m²")?,
-                damping: not_negative("ballast damping", damping, "N s/m²")?,
-                loss_factor: not_negative("ballast loss factor", loss_factor, "")?,
-                mass: not_negative("ballast mass", mass, "kg/m")?,
+                stiffness: positive("stiffness", stiffness, "N/m²")?,
+                damping: not_negative("damping", damping, "N s/m²")?,
+                loss_factor: not_negative("loss_factor", loss_factor, "")?,
+                mass: not_negative("mass", mass, "kg/m")?,
             },
         };
         Ok(Stack::new(vec![self.rail, Member::mass(self.sleeper_mass)?], vec![self.pad, ballast]))

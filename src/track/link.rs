@@ -1,7 +1,8 @@
 //! What joins one member to the next: springs, bars with wave motion, springs with consistent mass.
 
-use super::{TrackError, not_negative, positive};
+use super::TrackError;
 use crate::math::complex::sign;
+use crate::quantity::{not_negative, positive};
 use num_complex::Complex64;
 
 /// Stiffness of a link between an upper and a lower degree of freedom, [[upper, cross], [cross, lower]] [N/m²].
@@ -58,9 +59,9 @@ impl Link {
     /// A stiffness that is not positive, negative damping.
     pub fn spring(stiffness: f64, damping: f64, loss_factor: f64) -> Result<Self, TrackError> {
         Ok(Self::Spring {
-            stiffness: positive("spring stiffness", stiffness, "N/m²")?,
-            damping: not_negative("spring damping", damping, "N s/m²")?,
-            loss_factor: not_negative("spring loss factor", loss_factor, "")?,
+            stiffness: positive("stiffness", stiffness, "N/m²")?,
+            damping: not_negative("damping", damping, "N s/m²")?,
+            loss_factor: not_negative("loss_factor", loss_factor, "")?,
         })
     }
 

@@ -1,7 +1,8 @@
 //! What lies along the track: beams and continuous masses.
 
-use super::{TrackError, not_negative};
+use super::TrackError;
 use crate::math::complex::sign;
+use crate::quantity::not_negative;
 use num_complex::Complex64;
 
 /// An Euler–Bernoulli beam per metre of track; without bending stiffness a plain continuous mass (sleepers).
@@ -19,9 +20,9 @@ impl Member {
     /// Anything negative or not finite.
     pub fn beam(bending_stiffness: f64, mass: f64, loss_factor: f64) -> Result<Self, TrackError> {
         Ok(Self {
-            bending_stiffness: not_negative("bending stiffness", bending_stiffness, "N m²")?,
+            bending_stiffness: not_negative("bending_stiffness", bending_stiffness, "N m²")?,
             mass: not_negative("mass", mass, "kg/m")?,
-            loss_factor: not_negative("beam loss factor", loss_factor, "")?,
+            loss_factor: not_negative("loss_factor", loss_factor, "")?,
         })
     }
 

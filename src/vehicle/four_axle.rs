@@ -1,6 +1,7 @@
 //! Masses, springs and lengths of a vehicle on two bogies.
 
-use super::{BodyError, not_negative, positive};
+use super::BodyError;
+use crate::quantity::{not_negative, positive};
 
 /// g of static axle loads [m/s²].
 pub const GRAVITY: f64 = 9.81;
@@ -44,21 +45,21 @@ impl FourAxle {
     /// # Errors
     /// The first quantity out of its range.
     pub fn checked(self) -> Result<Self, BodyError> {
-        for (quantity, value, unit) in [
-            ("body mass", self.body_mass, "kg"),
-            ("body pitch inertia", self.body_pitch_inertia, "kg m²"),
-            ("distance of the bogie centres", self.bogie_centres, "m"),
-            ("bogie mass", self.bogie_mass, "kg"),
-            ("bogie pitch inertia", self.bogie_pitch_inertia, "kg m²"),
-            ("wheelbase", self.wheelbase, "m"),
-            ("wheelset mass", self.wheelset_mass, "kg"),
-            ("primary stiffness", self.primary.stiffness, "N/m"),
-            ("secondary stiffness", self.secondary.stiffness, "N/m"),
+        for (key, value, unit) in [
+            ("body.mass", self.body_mass, "kg"),
+            ("body.pitch_inertia", self.body_pitch_inertia, "kg m²"),
+            ("body.bogie_centres", self.bogie_centres, "m"),
+            ("bogie.mass", self.bogie_mass, "kg"),
+            ("bogie.pitch_inertia", self.bogie_pitch_inertia, "kg m²"),
+            ("bogie.wheelbase", self.wheelbase, "m"),
+            ("wheelset.mass", self.wheelset_mass, "kg"),
+            ("primary.stiffness", self.primary.stiffness, "N/m"),
+            ("secondary.stiffness", self.secondary.stiffness, "N/m"),
         ] {
-            positive(quantity, value, unit)?;
+            positive(key, value, unit)?;
         }
-        not_negative("primary damping", self.primary.damping, "N s/m")?;
-        not_negative("secondary damping", self.secondary.damping, "N s/m")?;
+        not_negative("primary.damping", self.primary.damping, "N s/m")?;
+        not_negative("secondary.damping", self.secondary.damping, "N s/m")?;
         if self.wheelbase >= self.bogie_centres {
             return Err(BodyError::BogiesOverlap {
                 wheelbase: self.wheelbase,

@@ -1,6 +1,7 @@
 //! The contact of wheel and rail as a spring.
 
-use super::{BodyError, positive};
+use super::BodyError;
+use crate::quantity::positive;
 
 /// Shape of the running surface of a wheel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,7 +29,7 @@ impl Hertz {
     /// # Errors
     /// A radius that is not positive.
     pub fn new(tread: Tread, radius: f64) -> Result<Self, BodyError> {
-        let r = positive("wheel radius", radius, "m")?;
+        let r = positive("radius", radius, "m")?;
         let g = match tread {
             Tread::Worn => 3.86e-8 * r.powf(-0.115),
             Tread::Coned => 4.57e-8 * r.powf(-0.149),
@@ -46,7 +47,7 @@ impl Hertz {
     /// # Errors
     /// A load that is not positive: an unloaded contact has no stiffness.
     pub fn stiffness(&self, load: f64) -> Result<f64, BodyError> {
-        Ok(1.5 * positive("wheel load", load, "N")?.cbrt() / self.g)
+        Ok(1.5 * positive("load", load, "N")?.cbrt() / self.g)
     }
 
     /// k_H [N/m] of a wheelset, two wheels that share the `axle_load` [N].
@@ -87,6 +88,6 @@ mod tests {
     fn refuses_nonsense() {
         assert!(Hertz::new(Tread::Worn, 0.0).is_err());
         let error = Hertz::new(Tread::Coned, 0.46).unwrap().stiffness(0.0).unwrap_err();
-        assert_eq!(error.to_string(), "wheel load is 0 N: it must be finite and above zero");
+        assert_eq!(error.to_string(), "load is 0 N: it must be finite and above zero");
     }
 }

@@ -10,31 +10,15 @@ pub use four_axle::{FourAxle, GRAVITY, Suspension};
 pub use hertz::{Hertz, Tread};
 pub use multibody::Multibody;
 
+use crate::quantity::OutOfRange;
 use thiserror::Error;
 
 /// Why bodies on springs, or a contact, cannot be built; axle loads have [`VehicleError`].
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum BodyError {
-    /// A quantity must be finite and positive.
-    #[error("{quantity} is {value} {unit}: it must be finite and above zero")]
-    NotPositive {
-        /// What it is.
-        quantity: &'static str,
-        /// What was given.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-    },
-    /// A quantity must be finite and not negative.
-    #[error("{quantity} is {value} {unit}: it must be finite and not negative")]
-    Negative {
-        /// What it is.
-        quantity: &'static str,
-        /// What was given.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-    },
+    /// A quantity out of its range.
+    #[error(transparent)]
+    OutOfRange(#[from] OutOfRange),
     /// A copy of a vehicle that is nowhere.
     #[error("copy {index} (counted from 1) stands {offset} m behind the first: it must be finite")]
     Offset {
@@ -53,22 +37,4 @@ pub enum BodyError {
         /// [m]
         bogie_centres: f64,
     },
-}
-
-/// `value` if finite and above zero.
-fn positive(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, BodyError> {
-    if value.is_finite() && value > 0.0 {
-        Ok(value)
-    } else {
-        Err(BodyError::NotPositive { quantity, value, unit })
-    }
-}
-
-/// `value` if finite and not negative.
-fn not_negative(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, BodyError> {
-    if value.is_finite() && value >= 0.0 {
-        Ok(value)
-    } else {
-        Err(BodyError::Negative { quantity, value, unit })
-    }
 }

@@ -13,7 +13,8 @@
 //!
 //! What a model leaves out stands on it as a static load: every model has the axle loads of the whole vehicle.
 
-use super::{Axle, BodyError, FourAxle, Suspension, positive};
+use super::{Axle, BodyError, FourAxle, Suspension};
+use crate::quantity::positive;
 use nalgebra::DMatrix;
 use num_complex::Complex64;
 
@@ -38,8 +39,8 @@ impl Multibody {
     /// # Errors
     /// A mass or a load that is not positive.
     pub fn unsprung(mass: f64, load: f64) -> Result<Self, BodyError> {
-        let mut model = Self::bodies(&[positive("wheelset mass", mass, "kg")?]);
-        model.wheelsets(&[(0, 0.0)], positive("axle load", load, "N")?);
+        let mut model = Self::bodies(&[positive("unsprung_mass", mass, "kg")?]);
+        model.wheelsets(&[(0, 0.0)], positive("load", load, "N")?);
         Ok(model)
     }
 
@@ -401,7 +402,7 @@ mod tests {
     fn refuses_what_cannot_roll() {
         let wrong = FourAxle { bogie_mass: -1.0, ..ICE3 };
         let error = Multibody::four(&wrong).unwrap_err();
-        assert_eq!(error.to_string(), "bogie mass is -1 kg: it must be finite and above zero");
+        assert_eq!(error.to_string(), "bogie.mass is -1 kg: it must be finite and above zero");
         assert!(Multibody::ten(&FourAxle { wheelbase: 20.0, ..ICE3 }).is_err());
         assert!(Multibody::unsprung(0.0, 1.0).is_err());
     }

@@ -3,14 +3,20 @@
     python check_hdf5.py results.h5 folder_of_csv
 
 Every variable of every group must have the same values (bit for bit), units, description and dimensions in both, and
-every dimension must be recognised as a coordinate. Needs h5py, xarray and h5netcdf. Exits with 1 on any difference.
+every dimension must be recognised as a coordinate. What trips other tools is looked for too: coordinates a bit beside
+their decimal, gaps that are not `_FillValue`, units that UDUNITS reads as something else, attributes called as a
+dataset, a file that netCDF4 cannot append to. Needs what requirements.txt lists. Exits with 1 on any difference.
 """
 
 import csv
+import shutil
 import sys
+import tempfile
 from pathlib import Path
 
+import cf_units
 import h5py
+import netCDF4
 import numpy as np
 import xarray as xr
 
@@ -81,6 +87,51 @@ def compare(stored, dataset, name, tables):
     return differences
 
 
+def misread(units):
+    """True for units that UDUNITS takes for others: it reads a broken power as a factor. What it refuses is not misread."""
+    try:
+        return cf_units.Unit(units).definition[:1].isdigit() and units != "1"
+    except ValueError:
+        return False
+
+
+def traps(group):
+    """What would mislead a reader of the group, as a list of texts."""
+    found = [f"the attribute {name} is called as a dataset" for name in group.attrs if name in group]
+    for name, stored in group.items():
+        values, units = np.atleast_1d(stored[()]), text(stored.attrs["units"])
+        if misread(units):
+            found.append(f"{name}: UDUNITS takes {units} for {cf_units.Unit(units).definition}")
+        if np.isnan(values).any() and not np.isnan(stored.attrs.get("_FillValue", 0.0)):
+            found.append(f"{name}: NaN is not its _FillValue")
+        if stored.ndim == 1 and stored.is_scale and values.size:
+            decimals = np.round(values, 9)
+            beside = (values != decimals) & (np.abs(values - decimals) < 1e-14 * np.abs(values).max())
+            found += [f"{name}: {value!r} lies beside its decimal" for value in values[beside]]
+    return found
+
+
+def appended(results):
+    """Adds a variable with netCDF4, in a copy, and reads it back beside those that were there: what went wrong, or None."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = shutil.copy(results, folder)
+        try:
+            with netCDF4.Dataset(copy, "a") as file:
+                for group in file.groups.values():
+                    before = len(group.variables)
+                    dimensions = list(group.dimensions)[:1]
+                    group.createVariable("appended", "f8", dimensions)[:] = 7.0
+                    if len(group.variables) != before + 1:
+                        return f"{group.name} has {len(group.variables)} variables"
+            with netCDF4.Dataset(copy) as file:
+                for group in file.groups.values():
+                    if not np.all(group["appended"][:] == 7.0):
+                        return f"{group.name}: what was appended is not there"
+        except OSError as error:
+            return str(error)
+    return None
+
+
 def main(results, folder):
     tables = read_tables(folder)
     wrong = 0
@@ -97,6 +148,9 @@ def main(results, folder):
                 for heading in sorted(set(tables.get(group, {})) - held):
                     print(f"{group}: the column {heading} is in a CSV file but not in {results}")
                     wrong += 1
+                for trap in traps(file[group]):
+                    print(f"{group}: {trap}")
+                    wrong += 1
                 print(f"{group}: {', '.join(file[group])}: {count} values compared")
         missing = sorted(set(tables) - set(file))
         if missing:
@@ -105,6 +159,9 @@ def main(results, folder):
         if not len(file):
             print(f"{results} has no group")
             wrong += 1
+    if fault := appended(results):
+        print(f"netCDF4 cannot append: {fault}")
+        wrong += 1
     print(f"{wrong} differences")
     return 1 if wrong else 0
 

@@ -41,7 +41,7 @@ impl Measure {
         match self.units {
             "m s-1" => "m/s",
             "m s-2" => "m/s²",
-            "m s-1.75" => "m/s^1.75",
+            "m/s^(7/4)" => "m/s^1.75",
             "m2 s-1" => "m²/s",
             _ => "1",
         }
@@ -96,7 +96,8 @@ pub const MEASURES: [Measure; 7] = [
     Measure {
         key: "vdv_wb",
         symbol: "VDV",
-        units: "m s-1.75",
+        // UDUNITS knows no broken powers: it reads m s-1.75 as 0.75 m/s, and refuses this
+        units: "m/s^(7/4)",
         what: "vibration dose of one pass, W_b, BS 6472-1",
         of: |v| vibration_dose(&Weighting::Wb.of_velocity(v)),
     },

@@ -13,6 +13,8 @@
 mod bands;
 mod check;
 mod dataset;
+mod doubts;
+mod guides;
 mod metrics;
 mod passes;
 mod shown;

@@ -1,0 +1,146 @@
+//! What a reader sees of the ground around the train: arrays, maps, largest values, concerns.
+
+use super::{GroundMaps, TOLERABLE};
+use crate::concern::Concern;
+use crate::dataset::Group;
+use crate::field::{Field, Quantity};
+use crate::figure::{Figure, MapFigure};
+use crate::study::doubts::{missed_accuracy, sinks_as_no_track_does};
+use crate::study::{Answer, Model, Outcome, speed_text, tag};
+use ndarray::{Array1, Array2, Array3, Axis};
+
+/// Words for a quantity.
+struct Words {
+    /// Unit of the array, and of an answer.
+    unit: &'static str,
+    answer: &'static str,
+    /// Unit of a thousandth, as shown.
+    shown: &'static str,
+    /// Of the colour bar, in a thousandth of the unit.
+    label: &'static str,
+    long: &'static str,
+}
+
+fn words(quantity: Quantity) -> Words {
+    let displacement = |label, long| Words { unit: "m", answer: "m", shown: "mm", label, long };
+    match quantity {
+        Quantity::Vertical => {
+            displacement("u_z [mm], positive down", "vertical ground displacement, positive down")
+        }
+        Quantity::VerticalVelocity => Words {
+            unit: "m s-1",
+            answer: "m/s",
+            shown: "mm/s",
+            label: "v_z [mm/s], positive down",
+            long: "vertical ground velocity, positive down",
+        },
+        Quantity::Along => displacement(
+            "u_x [mm]",
+            "ground displacement along the track, positive in the direction of travel",
+        ),
+        Quantity::Across => {
+            displacement("u_y [mm]", "ground displacement across the track, positive towards +y")
+        }
+    }
+}
+
+impl GroundMaps {
+    /// Everything a run leaves.
+    pub(super) fn shown(&self, model: &Model) -> Outcome {
+        let mut outcome = Outcome { group: self.group(), ..Outcome::default() };
+        for (i, &quantity) in self.quantities.iter().enumerate() {
+            for (field, &speed) in self.fields.iter().zip(&self.speeds) {
+                outcome.figures.push(self.map(quantity, &field.values[i], speed));
+                outcome.answers.push(largest(quantity, &field.values[i], speed));
+            }
+        }
+        outcome.concerns = self.concerns(model);
+        outcome
+    }
+
+    fn group(&self) -> Group {
+        let ahead = "position relative to the leading axle, positive ahead (moving frame)";
+        let mut group = Group::new("contour")
+            .coordinate("speed", &self.speeds, "m s-1", "train speed")
+            .coordinate("y", &self.y, "m", "position across the track, from its centre line")
+            .coordinate("x", &self.x, "m", ahead);
+        for (i, &quantity) in self.quantities.iter().enumerate() {
+            let mut all = Array3::zeros((self.fields.len(), self.y.len(), self.x.len()));
+            for (n, field) in self.fields.iter().enumerate() {
+                all.index_axis_mut(Axis(0), n).assign(&field.values[i]);
+            }
+            let Words { unit, long, .. } = words(quantity);
+            group = group.variable(quantity.name(), &["speed", "y", "x"], all.into_dyn(), unit, long);
+        }
+        let number = |group: Group, name: &str, f: fn(&Field) -> f64, unit: &str, what: &str| {
+            let values = self.fields.iter().map(f).collect::<Array1<f64>>().into_dyn();
+            group.variable(name, &["speed"], values, unit, what)
+        };
+        let rest = "remainder at the border of the period over the largest value";
+        let beyond = "estimate of the part beyond the largest wavenumber over the largest value";
+        let group = number(group, "wrap_around", |f| f.wrap_around, "1", rest);
+        let group = number(group, "aliasing", |f| f.aliasing, "1", beyond);
+        let group = number(group, "period_x", |f| f.period.0, "m", "period of the transform along the track");
+        number(group, "period_y", |f| f.period.1, "m", "period of the transform across the track")
+    }
+
+    fn map(&self, quantity: Quantity, values: &Array2<f64>, speed: f64) -> (Figure, String) {
+        let at = speed_text(speed);
+        let Words { label, long, .. } = words(quantity);
+        let map = MapFigure {
+            name: format!("contour_{}_{}", quantity.name(), tag(speed)),
+            title: format!("Ground surface at {at}"),
+            x_label: "x′ [m], travel to the right".into(),
+            y_label: "y [m]".into(),
+            value_label: label.into(),
+            x: self.x.clone(),
+            y: self.y.clone(),
+            values: values.mapv(|v| 1e3 * v),
+            symmetric: true,
+            equal_axes: true,
+            overlay: Vec::new(),
+        };
+        (Figure::Map(map), format!("At {at}, seen from the leading axle: {long}."))
+    }
+
+    fn concerns(&self, model: &Model) -> Vec<Concern> {
+        let mut concerns = Vec::new();
+        for (field, &speed) in self.fields.iter().zip(&self.speeds) {
+            let at = speed_text(speed);
+            if field.wrap_around > TOLERABLE {
+                concerns.push(Concern::new(
+                    "wrap-around",
+                    format!("at {at} {:.2} % of the largest value is left at the border of the {:.0} m × {:.0} m period", 100.0 * field.wrap_around, field.period.0, field.period.1),
+                    "set contour.clearance to a larger distance [m]",
+                ));
+            }
+            if field.aliasing > TOLERABLE {
+                concerns.push(Concern::new(
+                    "aliasing",
+                    format!(
+                        "at {at} about {:.2} % of the largest value lies beyond the largest wavenumber",
+                        100.0 * field.aliasing
+                    ),
+                    "use a contour.spacing below a tenth of the contact half-width, or half of the present one",
+                ));
+            }
+        }
+        concerns.extend(missed_accuracy(self.missed.iter().copied()));
+        concerns.extend(sinks_as_no_track_does(model));
+        concerns.extend(self.speeds.iter().filter_map(|v| model.outruns_waves(*v)));
+        concerns
+    }
+}
+
+fn largest(quantity: Quantity, values: &Array2<f64>, speed: f64) -> Answer {
+    let Words { answer, shown, long, .. } = words(quantity);
+    let largest = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
+    let what = long.split(',').next().unwrap_or(long);
+    Answer::new(
+        &format!("max_{}_{}", quantity.name(), tag(speed)),
+        format!("Largest {what} in the window at {}", speed_text(speed)),
+        largest,
+        answer,
+        format!("{:.3} {shown}", 1e3 * largest),
+    )
+}

@@ -1,0 +1,94 @@
+//! At which speed does the track move most? Under one axle, which is a matter of ground and track alone, and under the whole train.
+
+mod curve;
+mod extremes;
+mod shown;
+
+pub use curve::{Hump, Peak, Plateau, SpeedCurve};
+
+use super::{Model, Outcome, StudyError};
+use crate::progress::Observer;
+use extremes::{Extremes, reach};
+use rayon::prelude::*;
+
+/// So slow that only hysteresis tells moving from standing [m/s]: from 0.2 to 1 m/s deflections change by 2e-5.
+const SLOW: f64 = 1.0;
+
+/// The speed curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CriticalSpeed {
+    /// v [m/s], ascending.
+    pub speeds: Vec<f64>,
+}
+
+/// What the track does at every speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpeedCurves {
+    /// Under the heaviest axle alone: its peak is the critical speed of ground and track.
+    pub axle: SpeedCurve,
+    /// Under the whole train, where it has more axles than one: its peak depends on their number and spacing.
+    pub train: Option<SpeedCurve>,
+    /// The first speed [m/s] at which an extreme lies at the end of the searched positions.
+    pub long_wake: Option<f64>,
+    /// Speeds [m/s] at which a quadrature missed its tolerance.
+    pub missed: Vec<f64>,
+}
+
+impl SpeedCurves {
+    /// Of the train, which may be one axle.
+    pub fn of_train(&self) -> &SpeedCurve {
+        self.train.as_ref().unwrap_or(&self.axle)
+    }
+}
+
+impl CriticalSpeed {
+    /// Largest downward and upward rail deflection over all positions at every speed, their maximum refined to 0.1 m/s.
+    ///
+    /// Accuracy: 0.1 % of `reference/critical_speed.json` (test `cross_solver::critical_speed`); on stiff springs, whose
+    /// shapes are sharp for positions 0.1 m apart, 2e-4 downward and 7e-4 upward (test `papers::closed_forms`).
+    ///
+    /// # Errors
+    /// No track, no train, undamped waves.
+    pub fn solve(&self, model: &Model, observer: &dyn Observer) -> Result<SpeedCurves, StudyError> {
+        let track = model.track()?;
+        let train = model.train("critical_speed")?;
+        let axle = train.heaviest_axle();
+        let loads = if train.axles().len() > 1 { vec![&axle, train] } else { vec![&axle] };
+        observer.begin("critical speed", self.speeds.len() as u64 + 3);
+        let at = |speed: f64| -> Result<(Vec<Extremes>, bool), StudyError> {
+            let response = track.moving(speed, reach(train))?;
+            observer.advance();
+            Ok((loads.iter().map(|load| Extremes::under(load, &response)).collect(), response.converged))
+        };
+        let rows: Vec<(Vec<Extremes>, bool)> =
+            self.speeds.par_iter().map(|&speed| at(speed)).collect::<Result<_, _>>()?;
+        let (rest, slow) = (at(0.0)?.0, at(SLOW)?.0);
+        let mut curves = (0..loads.len())
+            .into_par_iter()
+            .map(|i| {
+                let extremes: Vec<Extremes> = rows.iter().map(|row| row.0[i]).collect();
+                let down = |speed: f64| -> Result<f64, StudyError> {
+                    Ok(Extremes::under(loads[i], &track.moving(speed, reach(loads[i]))?).down)
+                };
+                SpeedCurve::new(&self.speeds, &extremes, (rest[i].down, slow[i].down), down)
+            })
+            .collect::<Result<Vec<_>, _>>()?
+            .into_iter();
+        observer.end();
+        let Some(axle) = curves.next() else {
+            return Err(StudyError::NeedsTrain { study: "critical_speed" });
+        };
+        let rows = || self.speeds.iter().copied().zip(&rows);
+        let long_wake = rows().find(|(_, row)| row.0.last().is_some_and(|e| e.at_edge)).map(|(v, _)| v);
+        let missed = rows().filter(|(_, row)| !row.1).map(|(v, _)| v).collect();
+        Ok(SpeedCurves { axle, train: curves.next(), long_wake, missed })
+    }
+
+    /// As [`Self::solve`], shown.
+    ///
+    /// # Errors
+    /// As `solve`.
+    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        Ok(self.solve(model, observer)?.shown())
+    }
+}

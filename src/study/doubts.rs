@@ -1,0 +1,91 @@
+//! What several studies may be doubted for.
+
+use super::Model;
+use crate::concern::Concern;
+
+/// Static deflections of tracks under one axle [m]: 0.7 mm on a slab to 4.1 mm on soft clay in `soil_cases`; room on both sides for
+/// light axles and rock, heavy ones and peat.
+const TRACKS_SINK: std::ops::RangeInclusive<f64> = 0.05e-3..=50e-3;
+
+/// One concern for all `speeds` at which a quadrature missed its tolerance.
+pub(super) fn missed_accuracy(speeds: impl Iterator<Item = f64>) -> Option<Concern> {
+    let speeds: Vec<String> = speeds.map(|v| format!("{v:.1}")).collect();
+    (!speeds.is_empty()).then(|| {
+        Concern::new(
+            "quadrature",
+            format!("the wavenumber integrals missed their accuracy (1e-5) at {} m/s", speeds.join(", ")),
+            "poles lie too close to the real axis (more damping helps), or the track spreads the load too little, or a layer is very thin",
+        )
+    })
+}
+
+/// [`static_deflection`] under the heaviest axle of `model`; None where it has no track, or no finite deflection.
+pub(super) fn sinks_as_no_track_does(model: &Model) -> Option<Concern> {
+    let axle = model.train("static deflection").ok()?.heaviest_axle();
+    let at_rest = model.track().ok()?.moving(0.0, 1.0).ok()?;
+    static_deflection(axle.axles()[0].load * at_rest.rail(0.0))
+}
+
+/// A concern if the rail sinks by `deflection` [m] under one axle at rest as no track does: mostly a number in the wrong unit.
+pub(super) fn static_deflection(deflection: f64) -> Option<Concern> {
+    let likely = if deflection < *TRACKS_SINK.start() {
+        "train.axles.load in N (150e3, not 150), and stiffnesses and moduli not too large"
+    } else {
+        "stiffnesses of pads, ballast and foundation in N/m² (7e8, not 700), soil moduli in Pa (60e6, not 60), bending stiffness in N m², \
+         and loads not too large"
+    };
+    (!TRACKS_SINK.contains(&deflection)).then(|| {
+        Concern::new(
+            "static-deflection",
+            format!(
+                "at rest the rail sinks by {:.3e} mm under one axle; tracks sink by 0.05 to 50 mm",
+                1e3 * deflection
+            ),
+            format!("check the units: {likely}"),
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::foundation::Winkler;
+    use crate::study::{Contact, CriticalSpeed, Support, TrackResponse};
+    use crate::track::{Member, Stack};
+    use crate::vehicle::{Axle, Train};
+    use crate::{Compatibility, Silent, Strip};
+
+    /// Codes of the concerns of a speed curve and of a track response: a beam on springs of `stiffness` [N/m²] under `load` [N].
+    fn codes(stiffness: f64, load: f64) -> Vec<&'static str> {
+        let springs = Winkler::new(stiffness, 1e5, 0.0).unwrap();
+        let strip = Strip { half_width: 1.25, compatibility: Compatibility::Mean };
+        let beam = Stack::new(vec![Member::beam(1.276e7, 120.46, 0.0).unwrap()], vec![]);
+        let train = Train::new(vec![Axle { position: 0.0, load }]).unwrap();
+        let model = Model::new(Support::Winkler(springs), Contact::Strip(strip), beam, Some(train)).unwrap();
+        let curve = CriticalSpeed { speeds: vec![10.0, 20.0] }.run(&model, &Silent).unwrap();
+        let shape = TrackResponse { speeds: vec![10.0], x: None, spacing: 0.5, records: vec![] };
+        let shape = shape.run(&model, &Silent).unwrap();
+        let all = curve.concerns.iter().chain(&shape.concerns).map(|c| c.code);
+        all.filter(|code| *code == "static-deflection").collect()
+    }
+
+    /// Each of the last three passed without a word.
+    #[test]
+    fn a_track_that_sinks_as_none_does_is_told() {
+        // 0.9 mm; 0.9 µm of kN given as N; 0.17 m of springs in kN/m²; 8.8 nm of moduli in mPa
+        assert_eq!(codes(5e7, 150e3), [""; 0]);
+        for (stiffness, load) in [(5e7, 150.0), (5e4, 150e3), (5e13, 150e3)] {
+            assert_eq!(codes(stiffness, load), ["static-deflection"; 2], "{stiffness} {load}");
+        }
+    }
+
+    #[test]
+    fn the_likely_key_is_named() {
+        let said = |deflection: f64| static_deflection(deflection).map(|c| c.remedy).unwrap_or_default();
+        assert!(said(1e-6).contains("train.axles.load in N"));
+        assert!(said(0.2).contains("N/m²"));
+        assert_eq!((said(0.06e-3), said(49e-3)), (String::new(), String::new()));
+        // not a number is no deflection of a track
+        assert!(!said(f64::NAN).is_empty());
+    }
+}

@@ -1,0 +1,63 @@
+//! G(k, ω) of the surface as a table for researchers.
+
+mod shown;
+
+use super::{Model, Outcome, StudyError};
+use crate::progress::Observer;
+use crate::soil::{GroundSolver, SurfaceCompliance};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Wavenumbers and frequencies of the table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceComplianceTable {
+    /// k [rad/m], above zero.
+    pub k: Vec<f64>,
+    /// f [Hz]
+    pub frequencies: Vec<f64>,
+}
+
+/// The compliances of a ground's surface.
+#[derive(Clone, Debug)]
+pub struct Compliances {
+    /// k [rad/m]
+    pub k: Vec<f64>,
+    /// f [Hz]
+    pub frequencies: Vec<f64>,
+    /// G(k, ω) [m/Pa]: for each frequency those of all k.
+    pub rows: Vec<Vec<SurfaceCompliance>>,
+}
+
+impl SurfaceComplianceTable {
+    /// u_zz, u_xx, u_xz, u_yy (frequency, k).
+    ///
+    /// Accuracy: that of the solver (test `cross_solver::surface_compliance`).
+    ///
+    /// # Errors
+    /// A model on springs.
+    pub fn solve(&self, model: &Model, observer: &dyn Observer) -> Result<Compliances, StudyError> {
+        let (profile, solver) = model.ground("surface_compliance")?;
+        observer.begin("surface compliance", self.frequencies.len() as u64);
+        let rows = self
+            .frequencies
+            .par_iter()
+            .map(|f| {
+                let row = solver.prepare(profile, TAU * f, &[]).map(|ground| ground.batch(&self.k));
+                observer.advance();
+                row
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        observer.end();
+        Ok(Compliances { k: self.k.clone(), frequencies: self.frequencies.clone(), rows })
+    }
+
+    /// As [`Self::solve`], shown.
+    ///
+    /// # Errors
+    /// As `solve`.
+    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        let mut outcome = self.solve(model, observer)?.shown();
+        outcome.concerns.extend(model.deep_rock(&self.frequencies));
+        Ok(outcome)
+    }
+}

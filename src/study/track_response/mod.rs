@@ -1,0 +1,117 @@
+//! What shape have the rail and the ground under the track at given speeds?
+
+mod shown;
+
+use super::{Model, Outcome, StudyError};
+use crate::math::decimal::arithmetic;
+use crate::progress::Observer;
+use ndarray::Array2;
+
+/// A measured or published record to be drawn beside the computed one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    /// Speed it belongs to [m/s].
+    pub speed: f64,
+    /// Legend entry.
+    pub label: String,
+    /// x′ [m], positive ahead of the leading axle.
+    pub x: Vec<f64>,
+    /// Deflection [m], positive down.
+    pub deflection: Vec<f64>,
+}
+
+/// Rail and base displacement along x′.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrackResponse {
+    /// v [m/s]
+    pub speeds: Vec<f64>,
+    /// x′ from, to [m]; by default 40 m behind the last axle to 20 m ahead of the leading one.
+    pub x: Option<(f64, f64)>,
+    /// Spacing [m].
+    pub spacing: f64,
+    /// Records to compare with.
+    pub records: Vec<Record>,
+}
+
+/// Shapes of rail and base under the whole train, positive down.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrackShapes {
+    /// v [m/s]
+    pub speeds: Vec<f64>,
+    /// x′ [m], positive ahead of the leading axle.
+    pub x: Vec<f64>,
+    /// Of the rail [m], speeds × x.
+    pub rail: Array2<f64>,
+    /// Of the ground under the track [m], speeds × x.
+    pub base: Array2<f64>,
+    /// Speeds [m/s] at which a quadrature missed its tolerance.
+    pub missed: Vec<f64>,
+}
+
+impl TrackShapes {
+    /// Largest downward and upward rail deflection [m] at the speed in `row`, both positive or zero.
+    pub fn extremes(&self, row: usize) -> (f64, f64) {
+        let extreme = |sign: f64| self.rail.row(row).iter().fold(f64::NEG_INFINITY, |m, w| m.max(sign * w));
+        // far away nothing moves: a rail that sinks all over the window rises by nothing
+        (extreme(1.0), extreme(-1.0).max(0.0))
+    }
+}
+
+impl TrackResponse {
+    /// w(x′) = Σ P_j w₁(x′ + a_j) of rail and base under the whole train, positive down.
+    ///
+    /// Accuracy: 1e-5 of the deflection under the load (test `analytic::beam`).
+    ///
+    /// # Errors
+    /// No track, no train, undamped waves.
+    pub fn solve(&self, model: &Model, observer: &dyn Observer) -> Result<TrackShapes, StudyError> {
+        let track = model.track()?;
+        let train = model.train("track_response")?;
+        let lead = train.axles()[0].position;
+        let (from, to) = self.x.unwrap_or((-(train.length() + 40.0), 20.0));
+        let count = ((to - from) / self.spacing + 1e-9).floor() as usize + 1;
+        let mut shapes = TrackShapes {
+            speeds: self.speeds.clone(),
+            x: arithmetic(from, self.spacing, count),
+            rail: Array2::zeros((self.speeds.len(), count)),
+            base: Array2::zeros((self.speeds.len(), count)),
+            missed: Vec::new(),
+        };
+        observer.begin("track response", self.speeds.len() as u64);
+        for (row, &speed) in self.speeds.iter().enumerate() {
+            let response = track.moving(speed, from.abs().max(to.abs()) + train.length())?;
+            for axle in train.axles() {
+                let shape = response.shape(from + axle.position - lead, self.spacing, count);
+                for i in 0..count {
+                    shapes.rail[(row, i)] += axle.load * shape.rail[i];
+                    shapes.base[(row, i)] += axle.load * shape.base[i];
+                }
+            }
+            if !response.converged {
+                shapes.missed.push(speed);
+            }
+            observer.advance();
+        }
+        observer.end();
+        Ok(shapes)
+    }
+
+    /// As [`Self::solve`], shown.
+    ///
+    /// # Errors
+    /// As `solve`.
+    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        Ok(self.solve(model, observer)?.shown(&self.records, model))
+    }
+}
+
+/// True if a record at one speed belongs to the other: within 0.1 %.
+pub fn same_speed(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-3 * a.abs().max(b.abs())
+}
+
+/// "68.5" for names of files and keys: at most two decimals, no trailing zeros.
+pub fn tag(speed: f64) -> String {
+    let text = format!("{speed:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
