@@ -1,6 +1,7 @@
 //! What a case file may say, its checks, the library of named parameter sets, and the runner.
 
 mod checks;
+mod conform;
 pub mod error;
 mod folder;
 mod ground;
@@ -8,6 +9,7 @@ mod irregularity;
 pub mod library;
 mod load;
 mod plausible;
+mod read;
 mod report;
 mod roughness;
 mod runner;

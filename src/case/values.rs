@@ -121,6 +121,7 @@ impl<T: JsonSchema> JsonSchema for Range<T> {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let value = generator.subschema_for::<T>();
         json_schema!({
+            "description": "a list [a, b, …], or a range { from = …, to = …, step = … }",
             "anyOf": [
                 { "type": "array", "items": value, "minItems": 1 },
                 {
