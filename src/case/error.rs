@@ -104,7 +104,7 @@ fn locate(text: &str, path: &str) -> Option<std::ops::Range<usize>> {
     span
 }
 
-/// "did you mean `young`?" from the list in serde's message, or nothing near enough.
+/// "did you mean `young`?", or nothing near enough.
 fn nearest(found: &str, allowed: &[&str]) -> Option<String> {
     allowed
         .iter()
@@ -119,29 +119,14 @@ pub fn spelling(found: &str, allowed: &[&str]) -> String {
     format!("{}allowed: {}", nearest(found, allowed).unwrap_or_default(), allowed.join(", "))
 }
 
-/// A TOML or serde error with its path, in the words of this program.
-pub fn from_toml(error: &toml::de::Error, path: &str, name: &str, text: &str) -> CaseError {
-    let message = error.message().trim_end().to_owned();
-    let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
-    let (what, help) = if let Some(found) = message.strip_prefix("unknown field `") {
-        let found = found.split('`').next().unwrap_or_default();
-        (format!("unknown key `{found}`"), Some(spelling(found, &quoted[1..])))
-    } else if message.starts_with("unknown variant") && !quoted.is_empty() {
-        (format!("unknown value \"{}\"", quoted[0]), Some(spelling(quoted[0], &quoted[1..])))
-    } else if message.starts_with("missing field") && !quoted.is_empty() {
-        (format!("missing key `{}`", quoted[0]), Some(format!("add `{} = …`", quoted[0])))
-    } else {
-        (message, None)
-    };
-    let path = if path == "." { "" } else { path };
-    // serde's path names the unknown key itself; its parent is what the reader looks for
-    let message = if path.is_empty() { what } else { format!("{path}: {what}") };
+/// A file that is no TOML.
+pub fn syntax(error: &toml::de::Error, name: &str, text: &str) -> CaseError {
     CaseError::Invalid {
-        message,
+        message: error.message().trim_end().to_owned(),
         text: NamedSource::new(name, text.to_owned()),
-        span: error.span().map(SourceSpan::from).or_else(|| locate(text, path).map(SourceSpan::from)),
+        span: error.span().map(SourceSpan::from),
         label: "here".into(),
-        help,
+        help: None,
     }
 }
 

@@ -1,6 +1,7 @@
 //! A case file → model and studies, everything checked before anything is computed.
 
-use super::error::{CaseError, Finding, from_toml};
+use super::error::{CaseError, Finding};
+use super::read::read;
 use super::schema::{CaseInput, SoilInput};
 use super::values::Named;
 use super::{ground, library, studies, track, train};
@@ -30,16 +31,6 @@ pub struct Case {
     pub witness: Option<Model>,
     /// What is asked.
     pub studies: Vec<Study>,
-}
-
-/// Reads TOML into `T` with the key path of any fault.
-fn read<T: DeserializeOwned>(text: &str, name: &str) -> Result<T, CaseError> {
-    let syntax = |error: &toml::de::Error| from_toml(error, "", name, text);
-    let deserializer = toml::Deserializer::parse(text).map_err(|e| syntax(&e))?;
-    serde_path_to_error::deserialize(deserializer).map_err(|error| {
-        let path = error.path().to_string();
-        from_toml(error.inner(), &path, name, text)
-    })
 }
 
 /// A table in full, by library name, or from a TOML file beside the case: the table, the path prefix of its keys,

@@ -7,6 +7,7 @@ mod ground;
 mod irregularity;
 pub mod library;
 mod load;
+mod read;
 mod report;
 mod runner;
 pub mod schema;
