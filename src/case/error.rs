@@ -94,6 +94,8 @@ pub struct Finding {
     pub message: String,
     /// What is allowed.
     pub help: Option<String>,
+    /// The key that is missing, or that is meant by a misspelt one.
+    pub wanted: Option<&'static str>,
     /// Whether the key itself is wrong, not its value.
     on_key: bool,
 }
@@ -101,7 +103,7 @@ pub struct Finding {
 impl Finding {
     /// A finding without advice.
     pub fn new(path: impl Into<String>, message: impl ToString) -> Self {
-        Self { path: path.into(), message: message.to_string(), help: None, on_key: false }
+        Self { path: path.into(), message: message.to_string(), help: None, wanted: None, on_key: false }
     }
 
     /// A number out of its range, in the table at `path` (empty for the file itself).
@@ -109,10 +111,26 @@ impl Finding {
         Self::new([path, error.key].join(if path.is_empty() { "" } else { "." }), error)
     }
 
-    /// The same about the key itself.
-    pub fn on_key(mut self) -> Self {
-        self.on_key = true;
+    /// The same about the key itself, which does not exist; `meant` is one that does.
+    pub fn of_key(mut self, meant: Option<&'static str>) -> Self {
+        (self.on_key, self.wanted) = (true, meant);
         self
+    }
+
+    /// The same about a table that lacks `key`.
+    pub fn lacking(mut self, key: &'static str) -> Self {
+        self.wanted = Some(key);
+        self
+    }
+
+    /// Whether it is about a key that does not exist.
+    pub fn on_key(&self) -> bool {
+        self.on_key
+    }
+
+    /// The key that is missing, if it is about one.
+    pub fn lacks(&self) -> Option<&'static str> {
+        self.wanted.filter(|_| !self.on_key)
     }
 
     /// The same with advice.

@@ -1,18 +1,17 @@
 //! A case file → model and studies, everything checked before anything is computed.
 
 use super::error::{CaseError, Finding};
-use super::read::{self, Read};
+use super::faults::{self, Read};
 use super::schema::{CaseInput, SoilInput};
 use super::train::Wheels;
 use super::values::Named;
-use super::{ground, library, plausible, roughness, studies, track, train};
+use super::{files, ground, library, plausible, roughness, studies, track, train};
 use crate::columns;
 use crate::concern::Concern;
 use crate::soil::{Profile, Solver};
 use crate::study::{Contact, Model, Study, Support};
 use crate::track::Stack;
 use crate::vehicle::Train;
-use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -109,7 +108,7 @@ impl Loader<'_> {
         Ok(text)
     }
 
-    pub(super) fn resolve<T: DeserializeOwned + JsonSchema + Clone>(
+    pub(super) fn resolve<T: DeserializeOwned + Clone>(
         &self,
         named: &Named<T>,
         key: &str,
@@ -154,7 +153,7 @@ impl Loader<'_> {
                 }
             }
         };
-        let table = read::whole(&text, &name)?;
+        let table = faults::whole(&text, &name)?;
         Ok(Resolved { table, prefix: String::new(), name, text })
     }
 
@@ -307,9 +306,9 @@ impl Case {
                 |name: &str| files.get(name).cloned().ok_or_else(|| "not stored in the results".to_owned());
             return Self::parse(&text, &path.display().to_string(), &open);
         }
-        let text = read::text(path).map_err(unreadable)?;
+        let text = files::text(path).map_err(unreadable)?;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        let open = move |name: &str| read::text(&folder.join(name));
+        let open = move |name: &str| files::text(&folder.join(name));
         Self::parse(&text, &path.display().to_string(), &open)
     }
 
@@ -322,7 +321,7 @@ impl Case {
         name: &str,
         open: &dyn Fn(&str) -> Result<String, String>,
     ) -> Result<Self, CaseError> {
-        let Read { said, spoilt, faults } = read::read::<CaseInput>(text, name, Some(("title", "")));
+        let Read { said, spoilt, faults } = faults::read::<CaseInput>(text, name, Some(("title", "")));
         let Some(input) = said else { return Err(CaseError::all(faults, name)) };
         let loader = Loader {
             name,

@@ -1,8 +1,9 @@
 //! What a case file may say, its checks, the library of named parameter sets, and the runner.
 
 mod checks;
-mod conform;
 pub mod error;
+mod faults;
+mod files;
 mod folder;
 mod ground;
 mod irregularity;

@@ -1,93 +1,627 @@
-//! TOML text → what it says, with every fault of its keys and types at once; files, with what keeps them from being read.
+//! TOML → what the types of a case ask for, with every fault at its key.
+//!
+//! serde's own tagged, untagged and flattened types copy a table before they read it, and lose where its keys stand. Here they are
+//! read in place: a type derives `Deserialize` as it would for any format, and this reader finds in the document what it asks
+//! for.
+//!
+//! | the type has | the file has |
+//! |---|---|
+//! | an enum | a table whose `kind` names the variant and whose other keys are its fields, or the name alone |
+//! | an enum with variants `$text`, `$list`, `$table` | one of these; the variant is told by what stands there |
+//! | an enum with a variant `$other` | as above; a `kind` that is none of the others belongs to the enum in `$other` |
+//! | a field `$rest` | all keys that are not other fields: an enum with keys beside it |
+//!
+//! A constructor that refuses what was read (`serde(try_from)`, or `D::Error::custom`) says at which key by
+//! [`OutOfRange`](crate::quantity::OutOfRange) or [`keyed`](crate::quantity::keyed).
 
-use super::conform;
-use super::error::{CaseError, Finding, syntax};
-use schemars::JsonSchema;
-use serde::de::DeserializeOwned;
-use std::collections::BTreeSet;
-use std::io::ErrorKind;
-use std::path::Path;
+use super::error::{Finding, nearest, spelling};
+use crate::quantity::KEY_ENDS;
+use serde::Deserialize;
+use serde::de::value::StrDeserializer;
+use serde::de::{
+    DeserializeSeed, Deserializer, EnumAccess, Error, Expected, MapAccess, SeqAccess, Unexpected,
+    VariantAccess, Visitor,
+};
+use serde::forward_to_deserialize_any;
+use std::fmt;
+use toml::de::{DeTable, DeValue};
 
-/// What a text says.
-pub struct Read<T> {
-    /// Without the spoilt tables; none where nothing can be said.
-    pub said: Option<T>,
-    /// Tables that hold a fault, or are probably meant by a misspelt name: not to be judged further.
-    pub spoilt: BTreeSet<String>,
-    /// Each fault.
-    pub faults: Vec<CaseError>,
+/// The key that names a variant.
+const KIND: &str = "kind";
+const REST: &str = "$rest";
+const OTHER: &str = "$other";
+
+/// What `document` says.
+///
+/// # Errors
+/// The first thing that does not fit, at its key.
+pub fn of_table<'de, T: Deserialize<'de>>(document: &'de DeTable<'de>) -> Result<T, Finding> {
+    T::deserialize(Node::table(document)).map_err(Fault::finding)
 }
 
-/// Reads the TOML `text`, called `name`; `stand_in` are a key and a value for it that let the rest be read where it is missing.
-pub fn read<T: DeserializeOwned + JsonSchema>(
-    text: &str,
-    name: &str,
-    stand_in: Option<(&str, &str)>,
-) -> Read<T> {
-    let mut table: toml::Table = match text.parse() {
-        Ok(table) => table,
-        Err(error) => {
-            let faults = vec![syntax(&error, name, text)];
-            return Read { said: None, spoilt: BTreeSet::new(), faults };
-        }
-    };
-    let conform::Faults { findings, mut spoilt } =
-        conform::faults(&table, schemars::schema_for!(T).as_value());
-    let mut faults: Vec<CaseError> = findings.into_iter().map(|finding| finding.at(name, text)).collect();
-    table.retain(|key, _| !spoilt.contains(key));
-    if let Some((key, value)) = stand_in {
-        table.entry(key).or_insert(value.into());
+/// What does not fit.
+#[derive(Debug)]
+enum What {
+    /// A key that is not there to be had.
+    Key { found: String, allowed: Vec<&'static str> },
+    /// A name among other names.
+    Name { found: String, allowed: Vec<&'static str> },
+    /// A key that is needed, and what it may be.
+    Missing { key: &'static str, allowed: Vec<&'static str> },
+    /// Anything else, in words, with advice.
+    Other(String, Option<&'static str>),
+}
+
+/// What does not fit, and where.
+#[derive(Debug)]
+struct Fault {
+    /// Below the value in hand.
+    path: String,
+    /// The `kind` of the table it stands in.
+    kind: Option<String>,
+    what: What,
+}
+
+impl Fault {
+    fn new(what: What) -> Self {
+        Self { path: String::new(), kind: None, what }
     }
-    // what no schema can say, such as the unit of a speed
-    let said = loop {
-        let error = match serde_path_to_error::deserialize(table.clone()) {
-            Ok(said) => break Some(said),
-            Err(error) => error,
+
+    fn wrong(found: impl fmt::Display, wanted: impl fmt::Display) -> Self {
+        Self::new(What::Other(format!("found {found}, wanted {wanted}"), None))
+    }
+
+    /// The same with advice.
+    fn help(mut self, advice: &'static str) -> Self {
+        if let What::Other(_, help) = &mut self.what {
+            *help = Some(advice);
+        }
+        self
+    }
+
+    /// The same, seen from the table that has `key`.
+    fn below(mut self, key: &str) -> Self {
+        self.path = join(key, &self.path);
+        self
+    }
+
+    /// The same, if it is one of the table in hand, as one of its `kind`.
+    fn of(mut self, kind: &str) -> Self {
+        if self.path.is_empty() && self.kind.is_none() && !kind.starts_with('$') {
+            self.kind = Some(kind.to_owned());
+        }
+        self
+    }
+
+    /// The same, where `names` are keys, or kinds, besides those it knows.
+    fn beside(mut self, names: &[&'static str]) -> Self {
+        let names = names.iter().filter(|name| !name.starts_with('$'));
+        match &mut self.what {
+            What::Key { allowed, .. } if self.path.is_empty() => allowed.extend(names),
+            What::Name { allowed, .. } if self.path == KIND => allowed.extend(names),
+            _ => {}
+        }
+        self
+    }
+
+    /// The same in the words of this program.
+    fn finding(self) -> Finding {
+        match self.what {
+            What::Key { found, allowed } => {
+                let of = self.kind.map_or(String::new(), |kind| format!(" of kind = \"{kind}\""));
+                let path = if self.path.is_empty() { found.clone() } else { join(&self.path, &found) };
+                let help = if allowed.is_empty() { "remove it".into() } else { spelling(&found, &allowed) };
+                let finding = Finding::new(path, format!("unknown key `{found}`{of}")).help(help);
+                finding.of_key(nearest(&found, &allowed))
+            }
+            What::Name { found, allowed } => {
+                Finding::new(self.path, format!("unknown value \"{found}\"")).help(spelling(&found, &allowed))
+            }
+            What::Missing { key, allowed } => {
+                let by = self.kind.map_or(String::new(), |kind| format!(", needed by kind = \"{kind}\""));
+                let of = if allowed.is_empty() { String::new() } else { format!(": {}", allowed.join(", ")) };
+                Finding::new(self.path, format!("missing key `{key}`{by}"))
+                    .help(format!("add `{key} = …`{of}"))
+                    .lacking(key)
+            }
+            What::Other(message, help) => {
+                let finding = Finding::new(self.path, message);
+                match help {
+                    Some(help) => finding.help(help),
+                    None => finding,
+                }
+            }
+        }
+    }
+}
+
+fn join(key: &str, rest: &str) -> String {
+    match rest {
+        "" => key.to_owned(),
+        rest if rest.starts_with('[') => format!("{key}{rest}"),
+        rest => format!("{key}.{rest}"),
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}: {:?}", self.path, self.what)
+    }
+}
+
+impl std::error::Error for Fault {}
+
+/// A value in plain words.
+fn words(found: Unexpected) -> String {
+    match found {
+        Unexpected::Bool(value) => value.to_string(),
+        Unexpected::Unsigned(value) => format!("the number {value}"),
+        Unexpected::Signed(value) => format!("the number {value}"),
+        Unexpected::Float(value) => format!("the number {value}"),
+        Unexpected::Str(text) => format!("the text \"{text}\""),
+        Unexpected::Seq => "a list".into(),
+        Unexpected::Map => "a table".into(),
+        other => other.to_string(),
+    }
+}
+
+impl Error for Fault {
+    fn custom<T: fmt::Display>(message: T) -> Self {
+        // `{:#}` puts the key in front of what a constructor refuses
+        let text = format!("{message:#}");
+        match text.split_once(KEY_ENDS) {
+            Some((key, message)) => Self::new(What::Other(message.to_owned(), None)).below(key),
+            None => Self::new(What::Other(text, None)),
+        }
+    }
+    fn invalid_type(found: Unexpected, wanted: &dyn Expected) -> Self {
+        Self::wrong(words(found), wanted)
+    }
+    fn invalid_value(found: Unexpected, wanted: &dyn Expected) -> Self {
+        Self::wrong(words(found), wanted)
+    }
+    fn unknown_variant(found: &str, allowed: &'static [&'static str]) -> Self {
+        Self::new(What::Name { found: found.to_owned(), allowed: plain(allowed) })
+    }
+    fn unknown_field(found: &str, allowed: &'static [&'static str]) -> Self {
+        Self::new(What::Key { found: found.to_owned(), allowed: plain(allowed) })
+    }
+    fn missing_field(key: &'static str) -> Self {
+        Self::new(What::Missing { key: if key == REST { KIND } else { key }, allowed: Vec::new() })
+    }
+}
+
+/// Names that a file may say.
+fn plain(names: &[&'static str]) -> Vec<&'static str> {
+    names.iter().copied().filter(|name| !name.starts_with('$')).collect()
+}
+
+/// A value of the document; a table as those of its keys that are in question.
+#[derive(Clone)]
+enum Node<'de> {
+    Text(&'de str),
+    Whole(i64),
+    Number(f64),
+    Switch(bool),
+    Date(String),
+    List(&'de [toml::Spanned<DeValue<'de>>]),
+    Table(Vec<(&'de str, &'de DeValue<'de>)>),
+}
+
+impl<'de> Node<'de> {
+    fn table(table: &'de DeTable<'de>) -> Self {
+        Self::Table(table.iter().map(|(key, value)| (key.get_ref().as_ref(), value.get_ref())).collect())
+    }
+
+    fn of(value: &'de DeValue<'de>) -> Result<Self, Fault> {
+        Ok(match value {
+            DeValue::String(text) => Self::Text(text),
+            DeValue::Integer(digits) => {
+                let value = i64::from_str_radix(digits.as_str(), digits.radix());
+                Self::Whole(value.map_err(|_| Fault::wrong(digits, "a whole number with fewer digits"))?)
+            }
+            DeValue::Float(digits) => {
+                let value = digits.as_str().parse();
+                Self::Number(value.map_err(|_| Fault::wrong(digits, "a number"))?)
+            }
+            DeValue::Boolean(value) => Self::Switch(*value),
+            DeValue::Datetime(date) => Self::Date(date.to_string()),
+            DeValue::Array(list) => Self::List(list),
+            DeValue::Table(table) => Self::table(table),
+        })
+    }
+
+    fn words(&self) -> String {
+        match self {
+            Self::Text(text) => words(Unexpected::Str(text)),
+            Self::Whole(value) => words(Unexpected::Signed(*value)),
+            Self::Number(value) => words(Unexpected::Float(*value)),
+            Self::Switch(value) => words(Unexpected::Bool(*value)),
+            Self::Date(text) => format!("the date {text}"),
+            Self::List(_) => words(Unexpected::Seq),
+            Self::Table(_) => words(Unexpected::Map),
+        }
+    }
+
+    /// The marker of a variant told by its shape.
+    fn shape(&self) -> &'static str {
+        match self {
+            Self::Text(_) => "$text",
+            Self::List(_) => "$list",
+            Self::Table(_) => "$table",
+            _ => "",
+        }
+    }
+
+    fn whole<V: Visitor<'de>>(self, visitor: V, most: u64) -> Result<V::Value, Fault> {
+        match self {
+            Self::Whole(value) if u64::try_from(value).is_ok_and(|value| value <= most) => {
+                visitor.visit_u64(value.unsigned_abs())
+            }
+            other if most == u64::MAX => Err(Fault::wrong(other.words(), "a whole number, zero or above")),
+            other => Err(Fault::wrong(other.words(), format!("a whole number from 0 to {most}"))),
+        }
+    }
+}
+
+impl<'de> Deserializer<'de> for Node<'de> {
+    type Error = Fault;
+
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        match self {
+            Self::Text(text) => visitor.visit_borrowed_str(text),
+            Self::Whole(value) => visitor.visit_i64(value),
+            Self::Number(value) => visitor.visit_f64(value),
+            Self::Switch(value) => visitor.visit_bool(value),
+            Self::Date(text) => visitor.visit_string(text),
+            Self::List(list) => visitor.visit_seq(Items { list, next: 0 }),
+            Self::Table(keys) => visitor.visit_map(Keys { keys, rest: None, known: &[], next: 0 }),
+        }
+    }
+
+    fn deserialize_bool<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        match self {
+            Self::Switch(value) => visitor.visit_bool(value),
+            other => Err(Fault::wrong(other.words(), "true or false")),
+        }
+    }
+
+    fn deserialize_f64<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        match self {
+            Self::Whole(value) => visitor.visit_f64(value as f64),
+            Self::Number(value) => visitor.visit_f64(value),
+            Self::Text(text) if text.trim().parse::<f64>().is_ok() => {
+                Err(Fault::wrong(self.words(), "a number").help("remove the quotes"))
+            }
+            other => Err(Fault::wrong(other.words(), "a number")),
+        }
+    }
+
+    fn deserialize_u8<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        self.whole(visitor, u8::MAX.into())
+    }
+
+    fn deserialize_u32<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        self.whole(visitor, u32::MAX.into())
+    }
+
+    fn deserialize_u64<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        self.whole(visitor, u64::MAX)
+    }
+
+    fn deserialize_str<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        match self {
+            Self::Text(text) => visitor.visit_borrowed_str(text),
+            other => Err(Fault::wrong(other.words(), "text")),
+        }
+    }
+
+    fn deserialize_string<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        self.deserialize_str(visitor)
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        visitor.visit_some(self)
+    }
+
+    fn deserialize_unit_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        match self {
+            Self::Table(keys) if keys.is_empty() => visitor.visit_unit(),
+            Self::Table(keys) => Err(Fault::unknown_field(keys[0].0, &[])),
+            other => Err(Fault::wrong(other.words(), "a table")),
+        }
+    }
+
+    fn deserialize_newtype_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        visitor.visit_newtype_struct(self)
+    }
+
+    fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        match self {
+            Self::List(list) => visitor.visit_seq(Items { list, next: 0 }),
+            other => Err(Fault::wrong(other.words(), "a list")
+                .help("a list is written [a, b, …]; one of tables has [[name]], with double brackets, above each of them")),
+        }
+    }
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        let Self::Table(keys) = self else {
+            return Err(Fault::wrong(self.words(), "a table")
+                .help("a table is written { … }, or below [name], with single brackets"));
         };
-        let path = error.path().to_string();
-        let first = path.split(['.', '[']).next().unwrap_or_default().to_owned();
-        let known = table.remove(&first).is_some();
-        if known || faults.is_empty() {
-            let path = if known { path } else { String::new() };
-            faults.push(Finding::new(path, error.inner().message().trim_end()).at(name, text));
+        if !fields.contains(&REST) {
+            return visitor.visit_map(Keys { keys, rest: None, known: fields, next: 0 });
         }
-        if !known {
-            break None;
-        }
-        spoilt.insert(first);
-    };
-    Read { said, spoilt, faults }
-}
+        let (keys, rest): (Vec<_>, Vec<_>) = keys.into_iter().partition(|(key, _)| fields.contains(key));
+        // an empty rest is left to the default of its field
+        let rest = (!rest.is_empty()).then_some(rest);
+        visitor.visit_map(Keys { keys, rest, known: fields, next: 0 })
+    }
 
-/// The same of a file that stands for one table.
-///
-/// # Errors
-/// Its faults.
-pub fn whole<T: DeserializeOwned + JsonSchema>(text: &str, name: &str) -> Result<T, CaseError> {
-    match read(text, name, None) {
-        Read { said: Some(said), faults, .. } if faults.is_empty() => Ok(said),
-        Read { faults, .. } => Err(CaseError::all(faults, name)),
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        variants: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        let shape = self.shape();
+        if variants.contains(&shape) {
+            return visitor.visit_enum(Variant { name: shape, fields: self });
+        }
+        if variants.iter().any(|v| ["$text", "$list", "$table"].contains(v)) {
+            return Err(Fault::wrong(self.words(), &visitor as &dyn Expected));
+        }
+        match self {
+            Self::Text(name) => visitor.visit_enum(Variant { name, fields: Self::Table(Vec::new()) }),
+            Self::Table(ref keys) => {
+                let Some((_, kind)) = keys.iter().find(|(key, _)| *key == KIND) else {
+                    return Err(Fault::new(What::Missing { key: KIND, allowed: plain(variants) }));
+                };
+                let DeValue::String(name) = kind else {
+                    let wanted = format!("one of {}", plain(variants).join(", "));
+                    return Err(Fault::wrong(Self::of(kind)?.words(), wanted).below(KIND));
+                };
+                let name: &str = name;
+                if variants.contains(&OTHER) && !variants.contains(&name) {
+                    let other = visitor.visit_enum(Variant { name: OTHER, fields: self });
+                    return other.map_err(|fault| fault.beside(variants));
+                }
+                let fields = keys.iter().filter(|(key, _)| *key != KIND).copied().collect();
+                visitor.visit_enum(Variant { name, fields: Self::Table(fields) }).map_err(|fault| match fault
+                    .what
+                {
+                    What::Name { .. } if fault.path.is_empty() => fault.below(KIND),
+                    _ => fault,
+                })
+            }
+            other => Err(Fault::wrong(other.words(), format!("one of {}", plain(variants).join(", ")))),
+        }
+    }
+
+    forward_to_deserialize_any! {
+        i8 i16 i32 i64 i128 u16 u128 f32 char bytes byte_buf unit tuple tuple_struct map identifier ignored_any
     }
 }
 
-/// The text of the file at `path`.
-///
-/// # Errors
-/// Why not, in plain words.
-pub fn text(path: &Path) -> Result<String, String> {
-    let bytes = std::fs::read(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => "there is no such file".to_owned(),
-        ErrorKind::PermissionDenied => "reading it is not permitted".to_owned(),
-        ErrorKind::IsADirectory => "it is a folder".to_owned(),
-        _ => error.to_string(),
-    })?;
-    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        return Err("it is UTF-16 text: save it as UTF-8".to_owned());
+/// A list, item by item.
+struct Items<'de> {
+    list: &'de [toml::Spanned<DeValue<'de>>],
+    next: usize,
+}
+
+impl<'de> SeqAccess<'de> for Items<'de> {
+    type Error = Fault;
+
+    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Fault> {
+        let Some(item) = self.list.get(self.next) else { return Ok(None) };
+        let at = format!("[{}]", self.next);
+        self.next += 1;
+        Node::of(item.get_ref()).and_then(|node| seed.deserialize(node)).map(Some).map_err(|f| f.below(&at))
     }
-    String::from_utf8(bytes).map_err(|error| {
-        let from = error.utf8_error().valid_up_to();
-        let bytes = error.as_bytes();
-        let line = 1 + bytes[..from].iter().filter(|byte| **byte == b'\n').count();
-        format!("line {line} is not UTF-8 text (byte {:02X}): save the file as UTF-8", bytes[from])
-    })
+}
+
+/// A table, key by key, and then what is left as one more.
+struct Keys<'de> {
+    keys: Vec<(&'de str, &'de DeValue<'de>)>,
+    rest: Option<Vec<(&'de str, &'de DeValue<'de>)>>,
+    /// All keys of this table but those of the rest.
+    known: &'static [&'static str],
+    next: usize,
+}
+
+impl<'de> MapAccess<'de> for Keys<'de> {
+    type Error = Fault;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Fault> {
+        let key = match self.keys.get(self.next) {
+            Some((key, _)) => key,
+            None if self.rest.is_some() => REST,
+            None => return Ok(None),
+        };
+        seed.deserialize(StrDeserializer::new(key)).map(Some)
+    }
+
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Fault> {
+        if let Some((key, value)) = self.keys.get(self.next) {
+            self.next += 1;
+            return Node::of(value).and_then(|node| seed.deserialize(node)).map_err(|fault| fault.below(key));
+        }
+        let rest = self.rest.take().unwrap_or_default();
+        seed.deserialize(Node::Table(rest)).map_err(|fault| fault.beside(self.known))
+    }
+}
+
+/// A variant by its name, with its fields.
+struct Variant<'de> {
+    name: &'de str,
+    fields: Node<'de>,
+}
+
+impl<'de> EnumAccess<'de> for Variant<'de> {
+    type Error = Fault;
+    type Variant = Self;
+
+    fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, Self), Fault> {
+        seed.deserialize(StrDeserializer::new(self.name)).map(|variant| (variant, self))
+    }
+}
+
+impl<'de> VariantAccess<'de> for Variant<'de> {
+    type Error = Fault;
+
+    fn unit_variant(self) -> Result<(), Fault> {
+        match self.fields {
+            Node::Table(keys) if !keys.is_empty() => Err(Fault::unknown_field(keys[0].0, &[]).of(self.name)),
+            _ => Ok(()),
+        }
+    }
+
+    fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<T::Value, Fault> {
+        seed.deserialize(self.fields).map_err(|fault| fault.of(self.name))
+    }
+
+    fn tuple_variant<V: Visitor<'de>>(self, _: usize, visitor: V) -> Result<V::Value, Fault> {
+        self.fields.deserialize_any(visitor)
+    }
+
+    fn struct_variant<V: Visitor<'de>>(
+        self,
+        fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        self.fields.deserialize_struct("", fields, visitor).map_err(|fault| fault.of(self.name))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Debug, Deserialize, PartialEq)]
+    #[serde(deny_unknown_fields)]
+    struct Case {
+        shape: Vec<Beside>,
+    }
+
+    #[derive(Debug, Deserialize, PartialEq)]
+    struct Beside {
+        name: Option<String>,
+        #[serde(rename = "$rest")]
+        shape: Shape,
+    }
+
+    #[derive(Debug, Deserialize, PartialEq)]
+    #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+    enum Shape {
+        Point,
+        Circle {
+            radius: f64,
+        },
+        Several(Inner),
+        #[serde(rename = "$other")]
+        Other(Solid),
+    }
+
+    #[derive(Debug, Deserialize, PartialEq)]
+    #[serde(deny_unknown_fields)]
+    struct Inner {
+        sides: Count,
+        count: u8,
+    }
+
+    #[derive(Debug, Deserialize, PartialEq)]
+    #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+    enum Solid {
+        Cube { edge: f64 },
+    }
+
+    #[derive(Debug, Deserialize, PartialEq)]
+    #[serde(expecting = "a list, or a table with `from` and `to`", deny_unknown_fields)]
+    enum Count {
+        #[serde(rename = "$list")]
+        List(Vec<u8>),
+        #[serde(rename = "$table")]
+        Range { from: u8, to: u8 },
+    }
+
+    fn reading(text: &str) -> Result<Case, (String, String, Option<String>)> {
+        let table = DeTable::parse(text).unwrap();
+        of_table(table.get_ref()).map_err(|f| (f.path, f.message, f.help))
+    }
+
+    #[test]
+    fn reads_what_is_there() {
+        let text = "[[shape]]\nkind = \"point\"\n[[shape]]\nname = \"a\"\nkind = \"circle\"\nradius = 1\n[[shape]]\n\
+                    kind = \"several\"\nsides = [3, 4]\ncount = 2\n[[shape]]\nkind = \"cube\"\nedge = 0.5\n";
+        let shapes = reading(text).unwrap().shape;
+        let of = |i: usize| &shapes[i].shape;
+        assert_eq!(*of(0), Shape::Point);
+        assert_eq!((of(1), shapes[1].name.as_deref()), (&Shape::Circle { radius: 1.0 }, Some("a")));
+        assert_eq!(*of(2), Shape::Several(Inner { sides: Count::List(vec![3, 4]), count: 2 }));
+        assert_eq!(*of(3), Shape::Other(Solid::Cube { edge: 0.5 }));
+    }
+
+    #[test]
+    fn every_fault_at_its_key() {
+        let several = "kind = \"several\"\ncount = 1\nsides";
+        for (text, path, message, help) in [
+            ("kind = \"circle\"\nradius = \"1\"", "shape[0].radius", "text \"1\", wanted a number", ""),
+            (
+                "kind = \"circle\"",
+                "shape[0]",
+                "missing key `radius`, needed by kind = \"circle\"",
+                "radius = …",
+            ),
+            (
+                "kind = \"circle\"\nradius = 1\nraduis = 1",
+                "shape[0].raduis",
+                "unknown key `raduis` of kind = \"circle\"",
+                "did you mean `radius`? allowed: radius, name",
+            ),
+            (
+                "kind = \"point\"\nsize = 1",
+                "shape[0].size",
+                "unknown key `size` of kind = \"point\"",
+                "allowed: name",
+            ),
+            (
+                "kind = \"circel\"",
+                "shape[0].kind",
+                "unknown value \"circel\"",
+                "did you mean `circle`? allowed: cube, point, circle, several",
+            ),
+            ("radius = 1", "shape[0]", "missing key `kind`", "point, circle, several"),
+            ("kind = 3", "shape[0].kind", "found the number 3, wanted one of point", ""),
+            ("kind = \"cube\"\nedge = true", "shape[0].edge", "found true, wanted a number", ""),
+            (&format!("{several} = [1, -2]"), "shape[0].sides[1]", "found the number -2", ""),
+            (&format!("{several} = [1, 300]"), "shape[0].sides[1]", "from 0 to 255", ""),
+            (&format!("{several} = 3"), "shape[0].sides", "wanted a list, or a table with `from`", ""),
+            (
+                &format!("{several} = {{ from = 1, two = 2 }}"),
+                "shape[0].sides.two",
+                "unknown key `two`",
+                "from, to",
+            ),
+        ] {
+            let (at, said, advice) = reading(&format!("[[shape]]\n{text}\n")).unwrap_err();
+            assert_eq!(at, path, "{text}: {said}");
+            assert!(said.contains(message), "{text}: {said}");
+            assert!(advice.unwrap_or_default().contains(help), "{text}: {said}");
+        }
+        assert_eq!(reading("shape = 1").unwrap_err().0, "shape");
+        assert_eq!(reading("shap = []").unwrap_err().1, "unknown key `shap`");
+    }
 }

@@ -1,6 +1,6 @@
 //! Study tables → studies, with every fault at its key.
 
-use super::checks::{FARTHEST, span};
+use super::checks::{FARTHEST, ascending, distinct, span};
 use super::error::Finding;
 use super::irregularity;
 use super::schema::{
@@ -19,7 +19,7 @@ use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, ThinLayer};
 use crate::study::{
     Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Irregularity, Receptance,
-    ReceptanceMap, Record, Roughness, Study, SurfaceComplianceTable, TrackResponse, same_speed, tag,
+    ReceptanceMap, Record, Roughness, Study, SurfaceComplianceTable, TrackResponse, same_speed,
 };
 use std::collections::BTreeSet;
 
@@ -90,31 +90,6 @@ fn plain(range: &Range<Speed>) -> Range<f64> {
 
 fn speeds(range: &Range<Speed>, path: &str) -> Result<Vec<f64>, Finding> {
     numbers(&plain(range), path, "m/s", NOT_NEGATIVE)
-}
-
-/// Refuses speeds or frequencies that files and keys, which name them to 0.01 `unit`, could not tell apart.
-fn distinct(values: &[f64], path: &str, unit: &str) -> Result<(), Finding> {
-    for (i, value) in values.iter().enumerate() {
-        if values[..i].iter().any(|other| tag(*other) == tag(*value)) {
-            return Err(Finding::new(
-                format!("{path}[{i}]"),
-                format!("{value} {unit} stands there twice, to 0.01 {unit}"),
-            )
-            .help("give each value once"));
-        }
-    }
-    Ok(())
-}
-
-fn ascending(values: &[f64], path: &str) -> Result<(), Finding> {
-    match values.windows(2).position(|pair| pair[1] <= pair[0]) {
-        Some(i) => Err(Finding::new(
-            format!("{path}[{}]", i + 1),
-            format!("{} follows {}: the values must ascend", values[i + 1], values[i]),
-        )
-        .help("sort the list, each value once")),
-        None => Ok(()),
-    }
 }
 
 /// A record's CSV: x′ and deflection.
