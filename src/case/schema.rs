@@ -3,6 +3,10 @@
 //! The file is long because it is that list, whole and in one place.
 
 use super::values::{Named, Range, Speed};
+use crate::field::Quantity;
+use crate::soil::dispersion::SurfaceWave;
+use crate::soil::{Solver, Strip};
+use crate::vehicle::Tread;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -53,7 +57,7 @@ pub struct SoilInput {
     /// Case files only: layers and base of a library soil, or of a TOML file beside the case.
     pub library: Option<String>,
     /// Which solver answers.
-    pub solver: Option<SolverInput>,
+    pub solver: Option<SolversInput>,
     /// Layers, top first.
     #[serde(default)]
     pub layer: Vec<MaterialInput>,
@@ -74,57 +78,14 @@ pub enum BaseInput {
 /// `soil.solver`
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct SolverInput {
-    /// Name of the solver; direct-stiffness by default.
-    #[serde(default)]
-    pub kind: SolverKind,
-    /// Another solver, which answers every study a second time; the differences are reported.
-    pub verify: Option<SolverKind>,
-    /// Degree of the displacements in a sublayer; cubic by default (thin-layer).
-    pub element: Option<ElementInput>,
-    /// Error of G(k, ω) relative to its largest value; 1e-6 by default (thin-layer).
-    pub accuracy: Option<f64>,
-    /// Sublayers to the shortest wave; by default as many as the accuracy needs (thin-layer).
-    pub sublayers_per_wavelength: Option<f64>,
-    /// How the half-space below the layers is treated; matched by default (thin-layer).
-    pub half_space: Option<BelowLayersInput>,
-}
-
-/// `soil.solver.element`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum ElementInput {
-    /// Error ∝ h².
-    Linear,
-    /// Error ∝ h⁴.
-    Quadratic,
-    /// Error ∝ h⁶.
-    Cubic,
-}
-
-/// `soil.solver.half_space`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum BelowLayersInput {
-    /// Perfectly matched discrete layers: there are modes.
-    Matched,
-    /// Its exact stiffness: no modes.
-    Exact,
-}
-
-/// `soil.solver.kind`
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum SolverKind {
-    /// Exact layer stiffness matrices.
-    #[default]
-    DirectStiffness,
-    /// Exact compound transfer matrices.
-    TransferMatrix,
-    /// Exact recursion on flexibilities.
-    Flexibility,
-    /// Thin layers and their modes.
-    ThinLayer,
+pub struct SolversInput {
+    /// Another solver, which answers every study a second time; the differences are reported. By name, or with its settings.
+    #[schemars(with = "Named<Solver>")]
+    pub verify: Option<Solver>,
+    /// The solver; direct-stiffness by default.
+    #[serde(rename = "$rest")]
+    #[schemars(flatten)]
+    pub solver: Option<Solver>,
 }
 
 /// `[[soil.layer]]` with a thickness, or `[soil.half_space]` without.
@@ -200,7 +161,7 @@ pub struct TrackInput {
     /// The one beam (beam): rails, track and embankment together.
     pub beam: Option<BeamInput>,
     /// Contact with the ground (all but none; not on springs).
-    pub contact: Option<ContactInput>,
+    pub contact: Option<Strip>,
     /// How each axle presses on the ground (none).
     pub load: Option<LoadInput>,
 }
@@ -293,48 +254,22 @@ pub enum BallastKind {
     ConsistentMass,
 }
 
-/// `track.contact`
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ContactInput {
-    /// b [m]: half of the contact width.
-    pub half_width: f64,
-    /// Which ground displacement the track follows.
-    pub compatibility: CompatibilityInput,
-}
-
-/// `track.contact.compatibility`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum CompatibilityInput {
-    /// Under the centre line.
-    Centre,
-    /// Mean over the strip.
-    Mean,
-}
-
 /// `track.load`
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct LoadInput {
-    /// Point or rectangle.
-    pub kind: LoadKind,
-    /// Half the length along the track [m] (patch).
-    pub half_length: Option<f64>,
-    /// Half the width across it [m] (patch).
-    pub half_width: Option<f64>,
-    /// Which displacement is reported (patch).
-    pub compatibility: Option<CompatibilityInput>,
-}
-
-/// `track.load.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum LoadKind {
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[schemars(tag = "kind")]
+pub enum LoadInput {
     /// A point.
     Point,
     /// A rectangle.
-    Patch,
+    Patch {
+        /// Half the length along the track [m].
+        half_length: f64,
+        /// Half the width across it, and which displacement is reported.
+        #[serde(rename = "$rest")]
+        #[schemars(flatten)]
+        strip: Strip,
+    },
 }
 
 /// `[train]`
@@ -460,17 +395,7 @@ pub struct DispersionInput {
     /// How many modes, the slowest first; 3 by default.
     pub modes: Option<usize>,
     /// Which waves; Rayleigh by default.
-    pub wave: Option<WaveInput>,
-}
-
-/// `dispersion.wave`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum WaveInput {
-    /// Vertical and along the direction of travel.
-    Rayleigh,
-    /// Across the direction of travel.
-    Love,
+    pub wave: Option<SurfaceWave>,
 }
 
 /// `[track_response]`
@@ -523,23 +448,9 @@ pub struct ContourInput {
     /// [m]
     pub spacing: f64,
     /// What to map; vertical displacement by default.
-    pub quantities: Option<Vec<QuantityInput>>,
+    pub quantities: Option<Vec<Quantity>>,
     /// Distance to the periodic images [m]; by default from damping and wavelength.
     pub clearance: Option<f64>,
-}
-
-/// `contour.quantities`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum QuantityInput {
-    /// u_z
-    Vertical,
-    /// v_z
-    VerticalVelocity,
-    /// u_x
-    Along,
-    /// u_y
-    Across,
 }
 
 /// `[receptance]`
@@ -578,17 +489,7 @@ pub struct WheelRailInput {
     /// Radius of the wheels [m], instead of the stiffness: Hertz contact under the mean axle load.
     pub radius: Option<f64>,
     /// Profile of the wheels, with a radius; worn by default.
-    pub tread: Option<TreadInput>,
-}
-
-/// `train.wheel_rail.tread`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum TreadInput {
-    /// G = 3.86e-8 R^−0.115
-    Worn,
-    /// G = 4.57e-8 R^−0.149
-    Coned,
+    pub tread: Option<Tread>,
 }
 
 /// `[irregularity]`

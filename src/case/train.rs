@@ -2,10 +2,10 @@
 
 use super::error::CaseError;
 use super::load::{Loader, Resolved};
-use super::schema::{ModelInput, TrainInput, TreadInput};
+use super::schema::{ModelInput, TrainInput};
 use super::values::Named;
 use crate::quantity::positive;
-use crate::vehicle::{Axle, BodyError, FourAxle, Hertz, Multibody, Suspension, Train, Tread, VehicleError};
+use crate::vehicle::{Axle, BodyError, FourAxle, Hertz, Multibody, Suspension, Train, VehicleError};
 
 /// Longest train [m] and heaviest axle [N] a case may ask for.
 const LONGEST_TRAIN: f64 = 2000.0;
@@ -171,12 +171,8 @@ fn contact(place: &Place, train: &Train) -> Result<Option<f64>, CaseError> {
             above_zero(place, "wheel_rail.stiffness", stiffness, "N/m").map(Some)
         }
         (None, Some(radius), tread) => {
-            let tread = match tread {
-                None | Some(TreadInput::Worn) => Tread::Worn,
-                Some(TreadInput::Coned) => Tread::Coned,
-            };
             let load = train.total_load() / train.axles().len() as f64;
-            Hertz::new(tread, radius)
+            Hertz::new(tread.unwrap_or_default(), radius)
                 .and_then(|hertz| hertz.wheelset_stiffness(load))
                 .map(Some)
                 .map_err(|e| place.fault(&format!("wheel_rail.{}", key(&e)), e))
