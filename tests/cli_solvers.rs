@@ -117,7 +117,7 @@ fn settings_out_of_reach_are_refused() {
     );
     refused(
         &with_layers("solver.accuracy = 1e-6"),
-        &["soil.solver", "missing key `kind`", "direct-stiffness, transfer-matrix, flexibility, thin-layer"],
+        &["soil.solver", "missing key `kind`", "direct-stiffness, transfer-matrix, flexibility"],
     );
     refused(&solver("solver.accuracy = 0.5"), &["soil.solver.accuracy", "0.5", "between 1e-9 and 0.1"]);
     refused(

@@ -4,9 +4,10 @@
 
 use super::values::{Named, Range, Speed};
 use crate::field::Quantity;
+use crate::irregularity::{Order, Spectrum};
 use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, Strip};
-use crate::vehicle::Tread;
+use crate::vehicle::{Axle, Body, Bogie, Suspension, Tread, VehicleModel, Wheelset};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -281,7 +282,7 @@ pub struct TrainInput {
     /// Library files only: source.
     pub source: Option<String>,
     /// Axles.
-    pub axles: Option<Vec<AxleInput>>,
+    pub axles: Option<Vec<Axle>>,
     /// A library vehicle instead of axles.
     pub vehicle: Option<String>,
     /// How many of them in a row.
@@ -292,90 +293,21 @@ pub struct TrainInput {
     /// Length over couplers [m], the distance at which `count` repeats the vehicle.
     pub length: Option<f64>,
     /// Which bodies follow a rough rail, where dynamics are wanted.
-    pub model: Option<ModelInput>,
+    pub model: Option<VehicleModel>,
     /// Unsprung mass of each wheelset [kg] of the model "unsprung".
     pub unsprung_mass: Option<f64>,
     /// Body of a vehicle on two bogies, which brings its axles and loads by itself.
-    pub body: Option<BodyInput>,
+    pub body: Option<Body>,
     /// Each of its two bogies.
-    pub bogie: Option<BogieInput>,
+    pub bogie: Option<Bogie>,
     /// Each of its four wheelsets.
-    pub wheelset: Option<WheelsetInput>,
+    pub wheelset: Option<Wheelset>,
     /// Suspension of one wheelset.
-    pub primary: Option<SuspensionInput>,
+    pub primary: Option<Suspension>,
     /// Suspension of one bogie.
-    pub secondary: Option<SuspensionInput>,
+    pub secondary: Option<Suspension>,
     /// Contact of wheels and rails, where dynamics are wanted.
     pub wheel_rail: Option<WheelRailInput>,
-}
-
-/// `train.model`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum ModelInput {
-    /// The wheelsets alone.
-    Unsprung,
-    /// Wheelset, half a bogie.
-    Two,
-    /// Two wheelsets, a bogie that bounces and pitches.
-    Four,
-    /// The same and half the body, which bounces.
-    Five,
-    /// Four wheelsets, two bogies and the body, which bounce and pitch.
-    Ten,
-}
-
-/// `train.body`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BodyInput {
-    /// [kg]
-    pub mass: f64,
-    /// About its centre [kg m²].
-    pub pitch_inertia: f64,
-    /// Between the centres of the bogies [m].
-    pub bogie_centres: f64,
-}
-
-/// `train.bogie`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BogieInput {
-    /// Without wheelsets [kg].
-    pub mass: f64,
-    /// About its centre [kg m²].
-    pub pitch_inertia: f64,
-    /// Between the wheelsets [m].
-    pub wheelbase: f64,
-}
-
-/// `train.wheelset`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct WheelsetInput {
-    /// With all that is unsprung [kg].
-    pub mass: f64,
-}
-
-/// `train.primary`, `train.secondary`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct SuspensionInput {
-    /// k [N/m], both sides together.
-    pub stiffness: f64,
-    /// c [N s/m], both sides together.
-    #[serde(default)]
-    pub damping: f64,
-}
-
-/// One axle.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct AxleInput {
-    /// Distance behind the leading axle [m].
-    pub position: f64,
-    /// Load of the whole axle [N].
-    pub load: f64,
 }
 
 /// `[critical_speed]`
@@ -494,73 +426,52 @@ pub struct WheelRailInput {
 
 /// `[irregularity]`
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct IrregularityInput {
-    /// Which spectrum or profile.
-    pub kind: IrregularityKind,
-    /// Class 1 to 6 (fra-break-wavenumber, fra-corner).
-    pub class: Option<u8>,
-    /// Quality: low, high (german), good, poor (sncf).
-    pub quality: Option<String>,
-    /// S₀ at 0.1 cycles/m [m³] (iso8608).
-    pub roughness: Option<f64>,
-    /// Shortest and longest wavelength [m] (all spectra; measured: all of the profile by default).
-    pub wavelengths: Option<SpanInput>,
-    /// Seed of the first profile histories are made for, 1 by default (all spectra); of the wheels' angles (out-of-round).
-    pub seed: Option<u64>,
-    /// How many profiles histories are made for, with this seed and the next; 10 by default (all spectra).
-    pub profiles: Option<usize>,
-    /// CSV file beside the case: a header line, then x [m] and r [m, positive down] (measured).
-    pub file: Option<String>,
-    /// x of the profile abreast of the receivers [m]; its middle by default (measured).
-    pub abreast: Option<f64>,
-    /// [m] (sinusoidal)
-    pub wavelength: Option<f64>,
-    /// [m] (sinusoidal)
-    pub amplitude: Option<f64>,
-    /// Of a cosine at the receivers [rad], 0 by default (sinusoidal).
-    pub phase: Option<f64>,
-    /// Of the wheels [m] (out-of-round).
-    pub radius: Option<f64>,
-    /// Waves around the wheels (out-of-round).
-    pub orders: Option<Vec<OrderInput>>,
-}
-
-/// One of `irregularity.orders`.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct OrderInput {
-    /// Waves around the wheel; 1 is eccentricity.
-    pub order: u32,
-    /// Of the radius [m].
-    pub amplitude: f64,
-    /// [rad], 0 by default.
-    #[serde(default)]
-    pub phase: f64,
-}
-
-/// `irregularity.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum IrregularityKind {
-    /// FRA classes in the form with break wavenumbers (Corbin).
-    FraBreakWavenumber,
-    /// FRA classes in the AAR form with one corner.
-    FraCorner,
-    /// German low or high disturbance.
-    German,
-    /// SNCF good or poor.
-    Sncf,
-    /// Chinese ballastless high-speed line.
-    ChinaBallastless,
-    /// ISO 8608.
-    Iso8608,
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[schemars(tag = "kind")]
+pub enum IrregularityInput {
     /// A measured profile of the rail.
-    Measured,
+    Measured {
+        /// CSV file beside the case: a header line, then x [m] and r [m, positive down].
+        file: String,
+        /// x of the profile abreast of the receivers [m]; its middle by default.
+        abreast: Option<f64>,
+        /// Shortest and longest wavelength [m]; all of the profile by default.
+        wavelengths: Option<SpanInput>,
+    },
     /// One wave of the rail.
-    Sinusoidal,
+    Sinusoidal {
+        /// [m]
+        wavelength: f64,
+        /// [m]
+        amplitude: f64,
+        /// Of a cosine at the receivers [rad], 0 by default.
+        #[serde(default)]
+        phase: f64,
+    },
     /// Wheels that are not round, on a smooth rail.
-    OutOfRound,
+    OutOfRound {
+        /// Of the wheels [m].
+        radius: f64,
+        /// Waves around the wheels.
+        orders: Vec<Order>,
+        /// Of the wheels' angles, 1 by default.
+        seed: Option<u64>,
+    },
+    /// Profiles with a published spectrum.
+    #[serde(rename = "$other")]
+    #[schemars(untagged)]
+    Random {
+        /// Which.
+        #[serde(rename = "$rest")]
+        #[schemars(flatten)]
+        spectrum: Spectrum,
+        /// Shortest and longest wavelength [m].
+        wavelengths: SpanInput,
+        /// Seed of the first profile histories are made for, 1 by default.
+        seed: Option<u64>,
+        /// How many profiles histories are made for, with this seed and the next; 10 by default.
+        profiles: Option<usize>,
+    },
 }
 
 /// `[free_field]`
