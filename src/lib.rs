@@ -9,6 +9,7 @@
 //! | rank | module | what |
 //! |---|---|---|
 //! | 0 | [`math`] | quadrature, Fourier transforms with their signs and scales, interpolation, maxima |
+//! | 0 | [`columns`] | two columns of lengths from a CSV file, in the units of its header |
 //! | 0 | [`memory`] | how much is free |
 //! | 0 | [`quantity`] | numbers that must lie in their range, by their keys in case files |
 //! | 0 | [`concern`], [`dataset`], [`figure`], [`progress`] | what studies hand on: doubts, arrays, pictures, progress |
@@ -53,6 +54,7 @@
 
 pub mod assessment;
 pub mod case;
+pub mod columns;
 pub mod concern;
 pub mod contact;
 pub mod dataset;

@@ -4,7 +4,9 @@ use super::error::{CaseError, Finding};
 use super::read::read;
 use super::schema::{CaseInput, SoilInput};
 use super::values::Named;
-use super::{ground, library, studies, track, train};
+use super::{ground, library, plausible, roughness, studies, track, train};
+use crate::columns;
+use crate::concern::Concern;
 use crate::soil::{Profile, Solver};
 use crate::study::{Model, Study, Support};
 use serde::de::DeserializeOwned;
@@ -31,6 +33,8 @@ pub struct Case {
     pub witness: Option<Model>,
     /// What is asked.
     pub studies: Vec<Study>,
+    /// What its numbers may be doubted for: slips of unit, profiles with gaps.
+    pub concerns: Vec<Concern>,
 }
 
 /// A table in full, by library name, or from a TOML file beside the case: the table, the path prefix of its keys,
@@ -69,6 +73,8 @@ pub(super) struct Loader<'a> {
     /// Reads a file beside the case.
     open: &'a dyn Fn(&str) -> Result<String, String>,
     files: RefCell<BTreeMap<String, String>>,
+    /// What every file beside the case that stands for a table stands for, its name and text.
+    tables: RefCell<Vec<(&'static str, String, String)>>,
     references: RefCell<Vec<String>>,
 }
 
@@ -107,6 +113,12 @@ impl Loader<'_> {
                         .help("the path is relative to the case file"),
                 )
             })?;
+            let root = match kind {
+                "soils" => "soil",
+                "tracks" => "track",
+                _ => "train",
+            };
+            self.tables.borrow_mut().push((root, wanted.clone(), text.clone()));
             (wanted.clone(), text)
         } else {
             let entry = library::find(kind, wanted, key).map_err(|finding| self.fault(finding))?;
@@ -119,6 +131,24 @@ impl Loader<'_> {
         };
         let table = read(&text, &name)?;
         Ok(Resolved { table, prefix: String::new(), name, text })
+    }
+
+    /// What is doubtful in the numbers of the case and of every file that stands for one of its tables, and what cannot be.
+    fn review(&self, input: &CaseInput) -> (Vec<CaseError>, Vec<Concern>) {
+        let (mut refused, mut concerns) = plausible::review("", self.name, self.text);
+        for (root, name, text) in self.tables.borrow().iter() {
+            let (more_refused, more) = plausible::review(root, name, text);
+            refused.extend(more_refused);
+            concerns.extend(more);
+        }
+        let profile = input.irregularity.iter().flat_map(|i| roughness::concerns(i, &|name| self.file(name)));
+        concerns.extend(profile);
+        let records = input.track_response.iter().flat_map(|t| t.measured.iter().enumerate());
+        concerns.extend(records.filter_map(|(i, record)| {
+            let columns = columns::read(&self.file(&record.file).ok()?).ok()?;
+            roughness::of_record(&format!("track_response.measured[{i}].file"), &record.file, &columns)
+        }));
+        (refused, concerns)
     }
 
     /// The ground, its solver and the one to verify it with.
@@ -191,7 +221,14 @@ impl Case {
         open: &dyn Fn(&str) -> Result<String, String>,
     ) -> Result<Self, CaseError> {
         let input: CaseInput = read(text, name)?;
-        let loader = Loader { name, text, open, files: RefCell::default(), references: RefCell::default() };
+        let loader = Loader {
+            name,
+            text,
+            open,
+            files: RefCell::default(),
+            tables: RefCell::default(),
+            references: RefCell::default(),
+        };
         let mut verify = None;
         let support = match (&input.soil, &input.foundation) {
             (Some(soil), None) => {
@@ -232,6 +269,10 @@ impl Case {
             .map_err(|e| loader.fault(Finding::new("soil.solver.verify", e)))?;
         let studies = studies::studies(&input, wheels.as_ref(), &|name| loader.file(name))
             .map_err(|f| loader.fault(f))?;
+        let (refused, concerns) = loader.review(&input);
+        if let Some(error) = refused.into_iter().next() {
+            return Err(error);
+        }
         for study in &studies {
             study.check(&model).map_err(|e| loader.fault(Finding::new(study.name(), e)))?;
         }
@@ -244,6 +285,7 @@ impl Case {
             model,
             witness,
             studies,
+            concerns,
         })
     }
 }

@@ -71,7 +71,8 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
         case.witness.as_ref().map(|witness| Verification::run(case, witness, &mut outcomes, observer));
     let drawings = draw(&mut outcomes);
     outcomes.iter_mut().for_each(|(_, outcome)| name_answers(outcome));
-    let concerns: Vec<Concern> = outcomes.iter().flat_map(|(_, o)| o.concerns.clone()).collect();
+    let found = outcomes.iter().flat_map(|(_, o)| o.concerns.clone());
+    let concerns: Vec<Concern> = case.concerns.iter().cloned().chain(found).collect();
     let staging = folder::stage(&out)?;
     observer.begin("writing", 1);
     write(case, &outcomes, verification.as_ref(), &concerns, drawings, staging.path())?;

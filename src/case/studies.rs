@@ -10,6 +10,7 @@ use super::schema::{
 use super::train::Wheels;
 use super::values::{Named, Range, Speed};
 use crate::assessment::Band;
+use crate::columns::{self, Columns};
 use crate::field::{Quantity, Window};
 use crate::math::decimal::arithmetic;
 use crate::quantity::positive;
@@ -113,7 +114,7 @@ fn ascending(values: &[f64], path: &str) -> Result<(), Finding> {
     }
 }
 
-/// A record's CSV: a header line, then x′ [m] and deflection [m]; lines starting with # are comments.
+/// A record's CSV: x′ and deflection.
 fn record(
     input: &MeasuredInput,
     path: &str,
@@ -124,30 +125,13 @@ fn record(
         Finding::new(&at, format!("cannot read \"{}\": {reason}", input.file))
             .help("the path is relative to the case file")
     })?;
-    let mut record =
-        Record { speed: input.speed.0, label: input.label.clone(), x: Vec::new(), deflection: Vec::new() };
-    let lines = text.lines().enumerate().filter(|(_, l)| !l.trim().is_empty() && !l.starts_with('#'));
-    for (number, line) in lines.skip(1) {
-        let cells: Vec<f64> =
-            line.split(',').filter_map(|c| c.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
-        let [x, deflection] = cells[..] else {
-            return Err(Finding::new(
-                &at,
-                format!(
-                    "{}, line {}: found `{line}`, wanted two numbers: x′ [m], deflection [m]",
-                    input.file,
-                    number + 1
-                ),
-            ));
-        };
-        record.x.push(x);
-        record.deflection.push(deflection);
+    let wanted = "a header line, then x′ [m], deflection [m]";
+    let Columns { x, values: deflection, .. } =
+        columns::read(&text).map_err(|e| Finding::new(&at, format!("{}, {e}", input.file)).help(wanted))?;
+    if x.is_empty() {
+        return Err(Finding::new(&at, format!("{} has no numbers", input.file)).help(wanted));
     }
-    if record.x.is_empty() {
-        return Err(Finding::new(&at, format!("{} has no numbers", input.file))
-            .help("a header line, then x′ [m], deflection [m]"));
-    }
-    Ok(record)
+    Ok(Record { speed: input.speed.0, label: input.label.clone(), x, deflection })
 }
 
 fn track_response(

@@ -20,6 +20,9 @@ pub fn check(path: &Path) -> u8 {
         Ok(case) => {
             let studies: Vec<&str> = case.studies.iter().map(|s| s.name()).collect();
             say(&format!("{}: {}; studies: {}", path.display(), case.title, studies.join(", ")));
+            for concern in &case.concerns {
+                say(&format!("Concern: {concern}"));
+            }
             DONE
         }
         Err(code) => code,

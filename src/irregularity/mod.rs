@@ -26,6 +26,7 @@ pub use realisation::{Component, Realisation};
 pub use sinusoidal::sinusoidal;
 pub use sncf::Sncf;
 
+use crate::columns::ColumnsError;
 use crate::math::quadrature::{self, Tolerance};
 use crate::quantity::OutOfRange;
 use num_complex::Complex64;
@@ -164,24 +165,9 @@ pub enum IrregularityError {
         /// What was given.
         order: u32,
     },
-    /// The first line of a measured profile is not a header.
-    #[error("line {line} reads \"{found}\": it must be a header naming the two columns, x [m] and r [m]")]
-    Header {
-        /// From 1.
-        line: usize,
-        /// The line.
-        found: String,
-    },
-    /// A line of a measured profile that is not two numbers.
-    #[error(
-        "line {line} reads \"{found}\": it must be two finite numbers, x [m] and r [m], with a comma between them"
-    )]
-    Line {
-        /// From 1.
-        line: usize,
-        /// The line.
-        found: String,
-    },
+    /// A measured profile that is not two columns.
+    #[error(transparent)]
+    Columns(#[from] ColumnsError),
     /// Positions of a measured profile that do not rise.
     #[error(
         "line {line} stands at x = {x} m, not beyond the line before it at {before} m: sort the profile by x"
