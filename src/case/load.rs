@@ -217,7 +217,11 @@ impl Loader<'_> {
         let Some(named) = &input.track else {
             if self.lacks("track") {
                 let finding = Finding::new("", "the case has no track");
-                self.keep::<()>(Err(self.fault(finding.help("add [track]; kind = \"none\" is none"))));
+                self.keep::<()>(Err(self.fault(
+                    finding.help(
+                        "add [track], or track = \"…\" above the first table; its kind may be \"none\"",
+                    ),
+                )));
             }
             return None;
         };
