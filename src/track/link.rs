@@ -16,6 +16,22 @@ pub struct LinkStiffness {
     pub lower: Complex64,
 }
 
+impl LinkStiffness {
+    /// r = −cross/(lower + K): displacement of the lower side per displacement of the upper one, where the lower side stands on
+    /// `below` = K.
+    #[inline]
+    pub(super) fn carried(&self, below: Complex64) -> Complex64 {
+        -self.cross / (self.lower + below)
+    }
+
+    /// upper + r cross, the stiffness seen from the upper side, as (upper + cross) + r (lower + cross + K): no difference of stiff
+    /// springs.
+    #[inline]
+    pub(super) fn seen_above(&self, below: Complex64, carried: Complex64) -> Complex64 {
+        (self.upper + self.cross) + carried * (self.lower + self.cross + below)
+    }
+}
+
 /// A vertical link, per metre of track.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Link {
