@@ -76,7 +76,7 @@ pub mod vehicle;
 
 pub use case::Case;
 pub use concern::Concern;
-pub use foundation::{Foundation, LayeredSoil, Winkler};
+pub use foundation::{Foundation, FoundationModel, LayeredSoil, Springs};
 pub use irregularity::{Realisation, Spectrum};
 pub use progress::{Observer, Silent};
 pub use rail::TrackOnFoundation;

@@ -97,7 +97,11 @@ fn bad_input_is_refused_in_one_message() {
         ),
         (
             "wrong type",
-            refused("young = 60e6", "young = \"60e6\"", &["case.toml:6", "young", "the text \"60e6\"", "wanted a number"]),
+            refused(
+                "young = 60e6",
+                "young = \"60e6\"",
+                &["case.toml:6", "young", "the text \"60e6\"", "wanted a number"],
+            ),
         ),
         ("unknown unit", refused("250 km/h", "250 mph", &["case.toml:24", "mph", "km/h", "track_response"])),
         ("NaN", refused("young = 60e6", "young = nan", &["case.toml:6", "young", "NaN", "above zero"])),

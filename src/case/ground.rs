@@ -1,11 +1,7 @@
-//! `[soil]` and `[foundation]` → profile or springs, with every fault at its key.
+//! `[soil]` → profile and solver, with every fault at its key.
 
 use super::error::Finding;
-use super::schema::{
-    BelowLayersInput, ElementInput, FoundationInput, FoundationKind, MaterialInput, SoilInput, SolverInput,
-    SolverKind,
-};
-use crate::foundation::{FoundationError, Winkler};
+use super::schema::{BelowLayersInput, ElementInput, MaterialInput, SoilInput, SolverInput, SolverKind};
 use crate::quantity::{not_negative, positive};
 use crate::soil::thin_layer::{BelowLayers, Element, ThinLayer};
 use crate::soil::{Base, Elastic, Layer, Material, Profile, SoilError, Solver};
@@ -174,13 +170,4 @@ pub fn profile(input: &SoilInput, path: &str) -> Result<Profile, Finding> {
         }
     };
     Profile::new(layers, base).map_err(|error| Finding::new(path, error))
-}
-
-/// The springs of `[foundation]`.
-pub fn springs(input: &FoundationInput) -> Result<Winkler, Finding> {
-    let FoundationKind::Winkler = input.kind;
-    Winkler::new(input.stiffness, input.damping, input.loss_factor).map_err(|error| match error {
-        FoundationError::OutOfRange(error) => Finding::out_of_range("foundation", error),
-        error => Finding::new("foundation", error),
-    })
 }

@@ -236,7 +236,7 @@ impl Case {
                 verify = second;
                 Support::Ground(profile, solver)
             }
-            (None, Some(springs)) => Support::Winkler(ground::springs(springs).map_err(|f| loader.fault(f))?),
+            (None, Some(springs)) => Support::Springs(springs.clone()),
             (None, None) => {
                 return Err(loader.fault(
                     Finding::new("", "the case has no ground")

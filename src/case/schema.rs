@@ -3,6 +3,7 @@
 //! The file is long because it is that list, whole and in one place.
 
 use super::values::{Named, Range, Speed};
+use crate::foundation::{FoundationModel, Springs};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -17,7 +18,8 @@ pub struct CaseInput {
     /// Layered ground, or the name of a library soil.
     pub soil: Option<Named<SoilInput>>,
     /// Springs instead of ground.
-    pub foundation: Option<FoundationInput>,
+    #[schemars(with = "Option<FoundationModel>")]
+    pub foundation: Option<Springs>,
     /// The track, or the name of a library track.
     pub track: Named<TrackInput>,
     /// The train, or the name of a library vehicle.
@@ -151,30 +153,6 @@ pub struct MaterialInput {
     pub loss_factor_pressure: Option<f64>,
     /// ξ = η/2 of pressure waves.
     pub damping_ratio_pressure: Option<f64>,
-}
-
-/// `[foundation]`: springs per metre of track.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct FoundationInput {
-    /// Which springs.
-    pub kind: FoundationKind,
-    /// k [N/m²]
-    pub stiffness: f64,
-    /// c [N s/m²]
-    #[serde(default)]
-    pub damping: f64,
-    /// η
-    #[serde(default)]
-    pub loss_factor: f64,
-}
-
-/// `foundation.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum FoundationKind {
-    /// Independent springs.
-    Winkler,
 }
 
 /// `[track]`, whole track: both rails.

@@ -1,6 +1,6 @@
 //! A beam on springs: at rest, under a moving load, and shaken.
 
-use groundwave::foundation::{Foundation, Winkler};
+use groundwave::foundation::{Foundation, Springs};
 use groundwave::rail::TrackOnFoundation;
 use groundwave::track::{Link, Member, Stack};
 use num_complex::Complex64;
@@ -19,7 +19,7 @@ fn lambda() -> f64 {
 /// w(0), largest down, largest up, relative to Pλ/2k, at v = α (4EIk/m²)^{1/4} with c = 2ζ√(km).
 fn amplification(zeta: f64, alpha: f64) -> (f64, f64, f64) {
     let stack = Stack::new(vec![Member::beam(EI, MASS, 0.0).unwrap()], vec![]);
-    let springs = Winkler::new(K, 2.0 * zeta * (K * MASS).sqrt(), 0.0).unwrap();
+    let springs = Springs::winkler(K, 2.0 * zeta * (K * MASS).sqrt(), 0.0).unwrap();
     let track = TrackOnFoundation::new(&stack, &springs, 0.0);
     let reach = 30.0 / lambda();
     let response = track.moving(alpha * (4.0 * EI * K / (MASS * MASS)).powf(0.25), reach).unwrap();
@@ -35,7 +35,7 @@ fn amplification(zeta: f64, alpha: f64) -> (f64, f64, f64) {
 #[test]
 fn at_rest() {
     let stack = Stack::new(vec![Member::beam(EI, MASS, 0.0).unwrap()], vec![]);
-    let springs = Winkler::new(K, 0.0, 0.0).unwrap();
+    let springs = Springs::winkler(K, 0.0, 0.0).unwrap();
     let response = TrackOnFoundation::new(&stack, &springs, 0.0).moving(0.0, 10.0).unwrap();
     let still = LOAD * lambda() / (2.0 * K);
     let mut worst = 0.0f64;
@@ -134,7 +134,7 @@ fn resonances_of_the_paper() {
     let (m_r, m_s, k_1, k_p, k_b) = (60.23, 245.0, 4.5e8, 3.5e8, 1.8e8);
     let rail = || Member::beam(6.38e6, m_r, 0.0).unwrap();
     let dynamic = |stack: &Stack, beta: f64, f: f64, k: f64| {
-        let support = Winkler::new(k, 0.0, 0.0).unwrap().stiffness(beta, TAU * f).unwrap().value;
+        let support = Springs::winkler(k, 0.0, 0.0).unwrap().stiffness(beta, TAU * f).unwrap().value;
         stack.respond(beta, TAU * f, support).rail
     };
     let hertz = |k: f64, m: f64| (k / m).sqrt() / TAU;
@@ -163,7 +163,7 @@ fn resonances_of_the_paper() {
 #[test]
 fn point_receptance() {
     let stack = Stack::new(vec![Member::beam(EI, MASS, 0.0).unwrap()], vec![]);
-    let springs = Winkler::new(K, 0.0, 0.1).unwrap();
+    let springs = Springs::winkler(K, 0.0, 0.1).unwrap();
     for omega in [0.0, 200.0, 800.0, 2000.0] {
         let stiffness = springs.stiffness(0.0, omega).unwrap().value;
         let f = |beta: f64| stack.respond(beta, omega, stiffness).rail;

@@ -3,7 +3,7 @@
 use crate::draw::{Ground, ground, log};
 use crate::track::{Track, track};
 use crate::{SOLVERS, Verdict, ask, report, within};
-use groundwave::foundation::{Foundation, LayeredSoil, Winkler};
+use groundwave::foundation::{Foundation, LayeredSoil, Springs};
 use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::{Compatibility, Solver, Strip};
 use proptest::prelude::*;
@@ -93,7 +93,7 @@ fn soil(ground: &Ground, solver: Solver) -> LayeredSoil {
 fn springs_obey_every_law() {
     for (name, law) in LAWS {
         let verdict = ask(200, &inputs(), |(track, _, (k, c, eta), ratio)| {
-            law(track, &Winkler::new(*k, *c, *eta).unwrap(), 100.0 * ratio)
+            law(track, &Springs::winkler(*k, *c, *eta).unwrap(), 100.0 * ratio)
         });
         report(&format!("springs, {name}"), verdict);
     }
