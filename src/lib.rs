@@ -84,5 +84,5 @@ pub use soil::{
     Base, Compatibility, DirectStiffness, Elastic, GroundSolver, Layer, Material, Profile, Solver, Strip,
 };
 pub use study::{Model, Outcome, Study};
-pub use track::{Ballast, Ballasted, Link, Member, Slab, Stack};
+pub use track::{Ballast, Ballasted, Link, Member, Slab, Sleeper, Stack, Track};
 pub use vehicle::{Axle, Train};

@@ -4,6 +4,8 @@ use super::TrackError;
 use crate::math::complex::sign;
 use crate::quantity::{not_negative, positive};
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// Stiffness of a link between an upper and a lower degree of freedom, [[upper, cross], [cross, lower]] [N/m²].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,8 +34,9 @@ impl LinkStiffness {
     }
 }
 
-/// A vertical link, per metre of track.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A vertical link, per metre of track; in a case file a spring.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[serde(try_from = "Spring")]
 pub enum Link {
     /// k(1 + iη sgn ω) + iωc: rail pads.
     Spring {
@@ -66,6 +69,28 @@ pub enum Link {
         /// m_b [kg/m]
         mass: f64,
     },
+}
+
+/// Springs under rails, as a case file says them.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Spring {
+    /// k [N/m²]
+    stiffness: f64,
+    /// c [N s/m²]
+    #[serde(default)]
+    damping: f64,
+    /// η
+    #[serde(default)]
+    loss_factor: f64,
+}
+
+impl TryFrom<Spring> for Link {
+    type Error = TrackError;
+
+    fn try_from(spring: Spring) -> Result<Self, TrackError> {
+        Self::spring(spring.stiffness, spring.damping, spring.loss_factor)
+    }
 }
 
 impl Link {

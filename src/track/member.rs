@@ -2,17 +2,43 @@
 
 use super::TrackError;
 use crate::math::complex::sign;
-use crate::quantity::not_negative;
+use crate::quantity::{not_negative, positive};
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// A member per metre of track that resists bending, as an Euler–Bernoulli beam, or a difference of slope, as a string or a shear
 /// layer does, or both; with neither a plain continuous mass (sleepers).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[serde(try_from = "Beam")]
 pub struct Member {
     bending_stiffness: f64,
     tension: f64,
     mass: f64,
     loss_factor: f64,
+}
+
+/// A beam along the track, as a case file says it.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Beam {
+    /// EI [N m²]
+    bending_stiffness: f64,
+    /// [kg/m]
+    mass: f64,
+    /// η of EI
+    #[serde(default)]
+    loss_factor: f64,
+}
+
+impl TryFrom<Beam> for Member {
+    type Error = TrackError;
+
+    fn try_from(beam: Beam) -> Result<Self, TrackError> {
+        // a member without is a mass, a beam must bend
+        positive("bending_stiffness", beam.bending_stiffness, "N m²")?;
+        Self::beam(beam.bending_stiffness, beam.mass, beam.loss_factor)
+    }
 }
 
 impl Member {
