@@ -70,15 +70,14 @@ impl Foundation for Springs {
 mod tests {
     use super::super::{FilonenkoBorodich, Hetenyi, Kerr, Pasternak};
     use super::*;
-    use crate::math::complex::I;
+    use crate::math::complex::{I, sign};
 
     #[test]
     fn stacks_are_the_closed_forms() {
         let (stiffness, damping, loss_factor) = (4.5e8, 3e4, 0.2);
         let (n, d, upper_stiffness) = (3e7, 1.5e6, 9e8);
         for omega in [-700.0, 0.0, 60.0] {
-            let sign: f64 = if omega == 0.0 { 0.0 } else { omega.signum() };
-            let k = stiffness * (1.0 + I * loss_factor * sign) + I * omega * damping;
+            let k = stiffness * (1.0 + I * loss_factor * sign(omega)) + I * omega * damping;
             for beta2 in [Complex64::ZERO, 0.25.into(), 400.0.into(), Complex64::new(-1.0, 3.0)] {
                 for (model, exact) in [
                     (FoundationModel::Winkler(Winkler { stiffness, damping, loss_factor }), k),
