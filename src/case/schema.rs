@@ -22,7 +22,7 @@ pub struct CaseInput {
     #[schemars(with = "Option<FoundationModel>")]
     pub foundation: Option<Springs>,
     /// The track, or the name of a library track.
-    pub track: Named<TrackInput>,
+    pub track: Option<Named<TrackInput>>,
     /// The train, or the name of a library vehicle.
     pub train: Option<Named<TrainInput>>,
     /// Largest rail deflections against speed.
