@@ -212,7 +212,11 @@ fn faults_of_profiles_are_named_at_their_key() {
         ("", &grade, vec!["case.toml:", "irregularity.class", "no class 7", "1 to 6"]),
         ("", &grade_8, vec!["irregularity.class", "the number 8.5", "a whole number from 0 to 255"]),
         ("", &road, vec!["irregularity.roughness", "-0.00000001 m³", "above zero"]),
-        ("", &misspelt, vec!["irregularity.profils", "kind = \"german\"", "did you mean `profiles`?", "quality"]),
+        (
+            "",
+            &misspelt,
+            vec!["irregularity.profils", "kind = \"german\"", "did you mean `profiles`?", "quality"],
+        ),
         ("", &seeded, vec!["irregularity.seed", "of kind = \"sinusoidal\"", "wavelength, amplitude, phase"]),
         ("", "[irregularity]\nkind = \"low\"\n", vec!["irregularity.kind", "\"low\"", "german", "measured"]),
         ("", &none, vec!["irregularity.profiles", "between 1 and 1000"]),

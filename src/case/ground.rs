@@ -3,7 +3,7 @@
 use super::error::Finding;
 use super::schema::{FoundationInput, FoundationKind, MaterialInput, SoilInput, SolversInput};
 use crate::foundation::{FoundationError, Winkler};
-use crate::quantity::{not_negative, positive};
+use crate::quantity::{OutOfRange, not_negative, positive};
 use crate::soil::{Base, Elastic, Layer, Material, Profile, SoilError, Solver};
 
 /// Thinnest layer [m], and shear wave speeds [m/s], that a case may ask for: beyond them are slips of unit.
@@ -33,7 +33,15 @@ fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
             return Err(Finding::new(path, format!("elastic constants: found {found}")).help(PAIRS));
         }
     };
-    let refused = |error| Finding::out_of_range(path, error);
+    let refused = |error: OutOfRange| {
+        let fluid = error.value == 0.0 && matches!(error.key, "young" | "shear_speed");
+        let finding = Finding::out_of_range(path, error);
+        if fluid {
+            finding.help("without shear stiffness it is a fluid: water is not modelled")
+        } else {
+            finding
+        }
+    };
     let loss = |factor: Option<f64>, ratio: Option<f64>, names: [&'static str; 2]| match (factor, ratio) {
         (Some(eta), None) => Ok(Some((eta, names[0]))),
         // η = 2ξ
@@ -88,45 +96,60 @@ pub fn solvers(input: Option<SolversInput>, path: &str) -> Result<(Solver, Optio
     Ok((solver, verify))
 }
 
-/// The profile of `[soil]`; `path` is where the table stands (`soil`, or empty in a library file).
-pub fn profile(input: &SoilInput, path: &str) -> Result<Profile, Finding> {
-    let at = |rest: &str| if path.is_empty() { rest.to_owned() } else { format!("{path}.{rest}") };
-    let mut layers = Vec::new();
-    for (i, layer) in input.layer.iter().enumerate() {
-        let path = at(&format!("layer[{i}]"));
-        let Some(thickness) = layer.thickness else {
-            return Err(Finding::new(path, "missing key `thickness`").help("add `thickness = …` [m]"));
-        };
-        positive("thickness", thickness, "m").map_err(|e| Finding::out_of_range(&path, e))?;
-        if thickness < THINNEST {
-            return Err(Finding::new(
-                format!("{path}.thickness"),
-                format!("thickness is {thickness} m: layers below {THINNEST} m are not resolved"),
-            )
-            .help("thicknesses are in metres; merge such a layer with its neighbour"));
-        }
-        layers.push(Layer { thickness, material: material(layer, &path)? });
+/// The layer of the table at `path`.
+fn layer(input: &MaterialInput, path: &str) -> Result<Layer, Finding> {
+    let Some(thickness) = input.thickness else {
+        return Err(Finding::new(path, "missing key `thickness`").help("add `thickness = …` [m]"));
+    };
+    positive("thickness", thickness, "m").map_err(|e| Finding::out_of_range(path, e))?;
+    if thickness < THINNEST {
+        return Err(Finding::new(
+            format!("{path}.thickness"),
+            format!("thickness is {thickness} m: layers below {THINNEST} m are not resolved"),
+        )
+        .help("thicknesses are in metres; merge such a layer with its neighbour"));
     }
-    let base = match (&input.half_space, &input.base) {
+    Ok(Layer { thickness, material: material(input, path)? })
+}
+
+/// What lies below the layers; `at` gives the path of a key of `[soil]`.
+fn base(input: &SoilInput, at: impl Fn(&str) -> String) -> Result<Base, Finding> {
+    match (&input.half_space, &input.base) {
         (Some(half_space), None) => {
             let path = at("half_space");
             if half_space.thickness.is_some() {
                 return Err(Finding::new(format!("{path}.thickness"), "a half-space has no thickness")
                     .help("move it to a [[soil.layer]], or remove the key"));
             }
-            Base::HalfSpace(material(half_space, &path)?)
+            Ok(Base::HalfSpace(material(half_space, &path)?))
         }
-        (None, Some(_)) => Base::Rigid,
-        (None, None) => {
-            return Err(Finding::new(path, "the profile has no base")
-                .help("add [soil.half_space], or soil.base = \"rigid\""));
-        }
+        (None, Some(_)) => Ok(Base::Rigid),
+        (None, None) => Err(Finding::new(at(""), "the profile has no base")
+            .help("add [soil.half_space], or soil.base = \"rigid\"")),
         (Some(_), Some(_)) => {
-            return Err(Finding::new(at("base"), "the profile has two bases: a half-space and a rigid one")
-                .help("remove one of them"));
+            Err(Finding::new(at("base"), "the profile has two bases: a half-space and a rigid one")
+                .help("remove one of them"))
         }
-    };
-    Profile::new(layers, base).map_err(|error| Finding::new(path, error))
+    }
+}
+
+/// The profile of `[soil]`, or the fault of each layer; `path` is where the table stands (`soil`, or empty in a library file).
+pub fn profile(input: &SoilInput, path: &str) -> Result<Profile, Vec<Finding>> {
+    let at = |rest: &str| [path, rest].into_iter().filter(|p| !p.is_empty()).collect::<Vec<_>>().join(".");
+    let (mut layers, mut faults) = (Vec::new(), Vec::new());
+    for (i, input) in input.layer.iter().enumerate() {
+        match layer(input, &at(&format!("layer[{i}]"))) {
+            Ok(layer) => layers.push(layer),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    match base(input, at) {
+        Ok(base) if faults.is_empty() => {
+            Profile::new(layers, base).map_err(|error| vec![Finding::new(path, error)])
+        }
+        Ok(_) => Err(faults),
+        Err(fault) => Err(faults.into_iter().chain([fault]).collect()),
+    }
 }
 
 /// The springs of `[foundation]`.

@@ -2,6 +2,8 @@
 
 mod checks;
 pub mod error;
+mod faults;
+mod files;
 mod folder;
 mod ground;
 mod irregularity;

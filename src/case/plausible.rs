@@ -186,11 +186,14 @@ impl Row {
             .filter(|(_, size)| (low..=high).contains(&(value.abs() * size)))
             .map(|(name, size)| format!("{} {name} = {}", shown(value), self.quantity(value * size)))
             .collect();
-        let unit = if self.unit.name.is_empty() { "a plain ratio" } else { self.unit.name };
+        let unit = match self.unit.name {
+            "" => "a plain ratio".to_owned(),
+            unit => format!("in {unit}"),
+        };
         match readings.is_empty() {
-            true => format!("the key is in {unit}{}", self.unit.note),
+            true => format!("the key is {unit}{}", self.unit.note),
             false => {
-                format!("did you mean {}? The key is in {unit}{}", readings.join(", or "), self.unit.note)
+                format!("did you mean {}? The key is {unit}{}", readings.join(", or "), self.unit.note)
             }
         }
     }

@@ -14,13 +14,13 @@
 //! A constructor that refuses what was read (`serde(try_from)`, or `D::Error::custom`) says at which key by
 //! [`OutOfRange`](crate::quantity::OutOfRange) or [`keyed`](crate::quantity::keyed).
 
-use super::error::{CaseError, Finding, spelling, syntax};
+use super::error::{Finding, nearest, spelling};
 use crate::quantity::KEY_ENDS;
 use serde::Deserialize;
 use serde::de::value::StrDeserializer;
 use serde::de::{
-    DeserializeOwned, DeserializeSeed, Deserializer, EnumAccess, Error, Expected, MapAccess, SeqAccess,
-    Unexpected, VariantAccess, Visitor,
+    DeserializeSeed, Deserializer, EnumAccess, Error, Expected, MapAccess, SeqAccess, Unexpected,
+    VariantAccess, Visitor,
 };
 use serde::forward_to_deserialize_any;
 use std::fmt;
@@ -31,16 +31,11 @@ const KIND: &str = "kind";
 const REST: &str = "$rest";
 const OTHER: &str = "$other";
 
-/// The file `name` with contents `text` as a `T`.
+/// What `document` says.
 ///
 /// # Errors
-/// What is no TOML; the first thing that does not fit, at its key.
-pub fn read<T: DeserializeOwned>(text: &str, name: &str) -> Result<T, CaseError> {
-    let document = DeTable::parse(text).map_err(|error| syntax(&error, name, text))?;
-    of_table(document.get_ref()).map_err(|finding| finding.at(name, text))
-}
-
-fn of_table<'de, T: Deserialize<'de>>(document: &'de DeTable<'de>) -> Result<T, Finding> {
+/// The first thing that does not fit, at its key.
+pub fn of_table<'de, T: Deserialize<'de>>(document: &'de DeTable<'de>) -> Result<T, Finding> {
     T::deserialize(Node::table(document)).map_err(Fault::finding)
 }
 
@@ -53,8 +48,8 @@ enum What {
     Name { found: String, allowed: Vec<&'static str> },
     /// A key that is needed, and what it may be.
     Missing { key: &'static str, allowed: Vec<&'static str> },
-    /// Anything else, in words.
-    Other(String),
+    /// Anything else, in words, with advice.
+    Other(String, Option<&'static str>),
 }
 
 /// What does not fit, and where.
@@ -73,7 +68,15 @@ impl Fault {
     }
 
     fn wrong(found: impl fmt::Display, wanted: impl fmt::Display) -> Self {
-        Self::new(What::Other(format!("found {found}, wanted {wanted}")))
+        Self::new(What::Other(format!("found {found}, wanted {wanted}"), None))
+    }
+
+    /// The same with advice.
+    fn help(mut self, advice: &'static str) -> Self {
+        if let What::Other(_, help) = &mut self.what {
+            *help = Some(advice);
+        }
+        self
     }
 
     /// The same, seen from the table that has `key`.
@@ -108,7 +111,8 @@ impl Fault {
                 let of = self.kind.map_or(String::new(), |kind| format!(" of kind = \"{kind}\""));
                 let path = if self.path.is_empty() { found.clone() } else { join(&self.path, &found) };
                 let help = if allowed.is_empty() { "remove it".into() } else { spelling(&found, &allowed) };
-                Finding::new(path, format!("unknown key `{found}`{of}")).help(help)
+                let finding = Finding::new(path, format!("unknown key `{found}`{of}")).help(help);
+                finding.of_key(nearest(&found, &allowed))
             }
             What::Name { found, allowed } => {
                 Finding::new(self.path, format!("unknown value \"{found}\"")).help(spelling(&found, &allowed))
@@ -118,8 +122,15 @@ impl Fault {
                 let of = if allowed.is_empty() { String::new() } else { format!(": {}", allowed.join(", ")) };
                 Finding::new(self.path, format!("missing key `{key}`{by}"))
                     .help(format!("add `{key} = …`{of}"))
+                    .lacking(key)
             }
-            What::Other(message) => Finding::new(self.path, message),
+            What::Other(message, help) => {
+                let finding = Finding::new(self.path, message);
+                match help {
+                    Some(help) => finding.help(help),
+                    None => finding,
+                }
+            }
         }
     }
 }
@@ -159,8 +170,8 @@ impl Error for Fault {
         // `{:#}` puts the key in front of what a constructor refuses
         let text = format!("{message:#}");
         match text.split_once(KEY_ENDS) {
-            Some((key, message)) => Self::new(What::Other(message.to_owned())).below(key),
-            None => Self::new(What::Other(text)),
+            Some((key, message)) => Self::new(What::Other(message.to_owned(), None)).below(key),
+            None => Self::new(What::Other(text, None)),
         }
     }
     fn invalid_type(found: Unexpected, wanted: &dyn Expected) -> Self {
@@ -279,6 +290,9 @@ impl<'de> Deserializer<'de> for Node<'de> {
         match self {
             Self::Whole(value) => visitor.visit_f64(value as f64),
             Self::Number(value) => visitor.visit_f64(value),
+            Self::Text(text) if text.trim().parse::<f64>().is_ok() => {
+                Err(Fault::wrong(self.words(), "a number").help("remove the quotes"))
+            }
             other => Err(Fault::wrong(other.words(), "a number")),
         }
     }
@@ -333,7 +347,8 @@ impl<'de> Deserializer<'de> for Node<'de> {
     fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
         match self {
             Self::List(list) => visitor.visit_seq(Items { list, next: 0 }),
-            other => Err(Fault::wrong(other.words(), "a list")),
+            other => Err(Fault::wrong(other.words(), "a list")
+                .help("a list is written [a, b, …]; one of tables has [[name]], with double brackets, above each of them")),
         }
     }
 
@@ -343,7 +358,10 @@ impl<'de> Deserializer<'de> for Node<'de> {
         fields: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Fault> {
-        let Self::Table(keys) = self else { return Err(Fault::wrong(self.words(), "a table")) };
+        let Self::Table(keys) = self else {
+            return Err(Fault::wrong(self.words(), "a table")
+                .help("a table is written { … }, or below [name], with single brackets"));
+        };
         if !fields.contains(&REST) {
             return visitor.visit_map(Keys { keys, rest: None, known: fields, next: 0 });
         }

@@ -24,7 +24,7 @@ pub struct CaseInput {
     /// Springs instead of ground.
     pub foundation: Option<FoundationInput>,
     /// The track, or the name of a library track.
-    pub track: Named<TrackInput>,
+    pub track: Option<Named<TrackInput>>,
     /// The train, or the name of a library vehicle.
     pub train: Option<Named<TrainInput>>,
     /// Largest rail deflections against speed.

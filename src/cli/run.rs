@@ -10,7 +10,12 @@ use std::time::Instant;
 
 fn load(path: &Path) -> Result<Case, u8> {
     Case::load(path).map_err(|error| {
-        complain(&error.into());
+        let faults = error.each();
+        let count = faults.len();
+        faults.into_iter().for_each(|fault| complain(&fault.into()));
+        if count > 1 {
+            eprintln!("{count} faults");
+        }
         BAD_INPUT
     })
 }
