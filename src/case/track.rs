@@ -1,61 +1,26 @@
 //! `[track]` → stack and contact, with every fault at its key.
 
 use super::error::Finding;
-use super::schema::{CompatibilityInput, ContactInput, LoadInput, LoadKind, TrackInput};
+use super::schema::{LoadInput, TrackInput};
 use crate::quantity::positive;
 use crate::soil::{Compatibility, Strip};
 use crate::study::Contact;
 use crate::track::{Stack, Track, TrackError};
 
-/// The value of a key that this kind of track needs.
-fn need<'a, T>(value: &'a Option<T>, path: &str, key: &str, kind: &str) -> Result<&'a T, Finding> {
-    value.as_ref().ok_or_else(|| {
-        Finding::new(path, format!("missing key `{key}`, needed by kind = \"{kind}\""))
-            .help(format!("add `{key} = …`"))
-    })
-}
-
-fn compatibility(input: CompatibilityInput) -> Compatibility {
+fn load(input: LoadInput, path: &str) -> Result<Contact, Finding> {
     match input {
-        CompatibilityInput::Centre => Compatibility::Centre,
-        CompatibilityInput::Mean => Compatibility::Mean,
-    }
-}
-
-fn length(key: &'static str, value: f64, path: &str) -> Result<f64, Finding> {
-    positive(key, value, "m").map_err(|e| Finding::out_of_range(path, e))
-}
-
-fn contact(input: &ContactInput, path: &str) -> Result<Strip, Finding> {
-    Ok(Strip {
-        half_width: length("half_width", input.half_width, path)?,
-        compatibility: compatibility(input.compatibility),
-    })
-}
-
-fn load(input: &LoadInput, path: &str) -> Result<Contact, Finding> {
-    match input.kind {
-        LoadKind::Point => match (input.half_length, input.half_width, input.compatibility) {
-            (None, None, None) => Ok(Contact::Point),
-            _ => Err(Finding::new(path, "a point load has no size")
-                .help("remove its size, or say kind = \"patch\"")),
-        },
-        LoadKind::Patch => {
-            let half_length = *need(&input.half_length, path, "half_length", "patch")?;
-            let half_width = *need(&input.half_width, path, "half_width", "patch")?;
-            let compatible = *need(&input.compatibility, path, "compatibility", "patch")?;
+        LoadInput::Point => Ok(Contact::Point),
+        LoadInput::Patch { half_length, strip } => {
+            let refused = |e| Finding::out_of_range(path, e);
             Ok(Contact::Patch {
-                half_length: length("half_length", half_length, path)?,
-                strip: Strip {
-                    half_width: length("half_width", half_width, path)?,
-                    compatibility: compatibility(compatible),
-                },
+                half_length: positive("half_length", half_length, "m").map_err(refused)?,
+                strip,
             })
         }
     }
 }
 
-/// Why a track cannot be built, at its key; `at` is the path of a key of the table.
+/// Why a track cannot be built, at its key; `at` is the path of a key of the table at `path`.
 fn fault(error: TrackError, path: &str, at: impl Fn(&str) -> String) -> Finding {
     const SPEEDS: &str = "give wave_speed, or density (with poisson for the constrained modulus)";
     match error {
@@ -66,7 +31,7 @@ fn fault(error: TrackError, path: &str, at: impl Fn(&str) -> String) -> Finding 
     }
 }
 
-/// Stack and contact of `[track]`; `path` is where the table stands; on ground a contact is needed, on springs refused.
+/// Stack and contact of `[track]`; `path` is where the table stands; on ground a contact is needed.
 pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, Contact), Finding> {
     let at = |rest: &str| if path.is_empty() { rest.to_owned() } else { format!("{path}.{rest}") };
     let stack = |strip: Option<Strip>| {
@@ -79,24 +44,23 @@ pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, 
         }
         if input.contact.is_some() {
             return Err(Finding::new(at("contact"), "a track of kind = \"none\" has no `contact`")
-                .help("its keys: load"));
+                .help("its axles touch the ground: load.kind = \"point\" or \"patch\""));
         }
-        let load_input = need(&input.load, path, "load", "none")?;
-        return Ok((stack(None)?, load(load_input, &at("load"))?));
+        let Some(input) = input.load else {
+            return Err(Finding::new(path, "missing key `load`, needed by kind = \"none\"")
+                .help("add load.kind = \"point\" or \"patch\""));
+        };
+        return Ok((stack(None)?, load(input, &at("load"))?));
     }
     if input.load.is_some() {
         return Err(Finding::new(at("load"), "only a track of kind = \"none\" has a `load`")
             .help("axles press on the rail: remove it, or the track"));
     }
-    let strip = match (&input.contact, on_ground) {
-        (Some(input), _) => Some(contact(input, &at("contact"))?),
-        (None, true) => {
-            return Err(Finding::new(path, "missing key `contact`: how the track touches the ground")
-                .help("add contact.half_width = … [m] and contact.compatibility = \"centre\" or \"mean\""));
-        }
-        (None, false) => None,
-    };
+    if input.contact.is_none() && on_ground {
+        return Err(Finding::new(path, "missing key `contact`: how the track touches the ground")
+            .help("add contact.half_width = … [m] and contact.compatibility = \"centre\" or \"mean\""));
+    }
     // on springs the contact width means nothing; a strip keeps the type simple
     let made_up = Strip { half_width: 1.0, compatibility: Compatibility::Centre };
-    Ok((stack(strip)?, Contact::Strip(strip.unwrap_or(made_up))))
+    Ok((stack(input.contact)?, Contact::Strip(input.contact.unwrap_or(made_up))))
 }

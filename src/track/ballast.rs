@@ -119,6 +119,8 @@ mod tests {
         assert!((constrained * 0.72 / 0.8 - 1.0).abs() < 1e-14);
         assert_eq!(link(None, None, Some(0.2)), Err(TrackError::WaveSpeedMissing));
         assert_eq!(link(Some(333.0), Some(1700.0), None), Err(TrackError::WaveSpeedTwice));
-        assert!(link(None, Some(1700.0), Some(0.5)).is_err_and(|e| e.to_string().contains("ballast.poisson")));
+        assert!(
+            link(None, Some(1700.0), Some(0.5)).is_err_and(|e| e.to_string().contains("ballast.poisson"))
+        );
     }
 }

@@ -1,7 +1,7 @@
 //! Ballasted tracks: rails, pads, sleepers and ballast, per metre of whole track (both rails).
 
-use super::member::Beam;
 use super::link::Spring;
+use super::member::Beam;
 use super::{Ballast, Link, Member, Stack, TrackError};
 use crate::quantity::not_negative;
 use schemars::JsonSchema;

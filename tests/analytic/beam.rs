@@ -79,9 +79,7 @@ fn at_rest_on_every_foundation() {
                 FoundationModel::Hetenyi(Hetenyi { stiffness, damping, loss_factor, bending_stiffness })
             }
             "pasternak" => FoundationModel::Pasternak(Pasternak { stiffness, damping, loss_factor, shear }),
-            "kerr" => {
-                FoundationModel::Kerr(Kerr { stiffness, damping, loss_factor, shear, upper_stiffness })
-            }
+            "kerr" => FoundationModel::Kerr(Kerr { stiffness, damping, loss_factor, shear, upper_stiffness }),
             other => panic!("{other}"),
         };
         let springs = Springs::new(model).unwrap();

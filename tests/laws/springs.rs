@@ -2,7 +2,9 @@
 
 use crate::draw::log;
 use crate::{Verdict, ask, report, within};
-use groundwave::foundation::{FilonenkoBorodich, Foundation, FoundationModel, Hetenyi, Kerr, Pasternak, Springs, Winkler};
+use groundwave::foundation::{
+    FilonenkoBorodich, Foundation, FoundationModel, Hetenyi, Kerr, Pasternak, Springs, Winkler,
+};
 use num_complex::Complex64;
 use proptest::prelude::*;
 
@@ -10,7 +12,8 @@ use proptest::prelude::*;
 pub type Numbers = (f64, f64, f64, f64, f64);
 
 /// Every registered foundation of springs.
-pub const FOUNDATIONS: &[fn(Numbers) -> FoundationModel] = &[winkler, filonenko_borodich, hetenyi, pasternak, kerr];
+pub const FOUNDATIONS: &[fn(Numbers) -> FoundationModel] =
+    &[winkler, filonenko_borodich, hetenyi, pasternak, kerr];
 
 fn winkler((stiffness, damping, loss_factor, ..): Numbers) -> FoundationModel {
     FoundationModel::Winkler(Winkler { stiffness, damping, loss_factor })
@@ -119,7 +122,12 @@ fn limits(answer: Answer, &(numbers, beta, omega): &Input) -> Verdict {
         ("a membrane is a shear layer", pasternak(numbers), filonenko_borodich(numbers), omega),
         ("rigid upper springs", kerr(rigid), pasternak(numbers), omega),
         ("springs in series", kerr(none), winkler((k * upper / (k + upper), 0.0, 0.0, 0.0, 0.0)), 0.0),
-        ("rigid lower springs", kerr((1e30, 0.0, 0.0, n, upper)), winkler((upper, 0.0, 0.0, 0.0, 0.0)), omega),
+        (
+            "rigid lower springs",
+            kerr((1e30, 0.0, 0.0, n, upper)),
+            winkler((upper, 0.0, 0.0, 0.0, 0.0)),
+            omega,
+        ),
     ];
     let mut worst = 0.0f64;
     for (name, general, plain, omega) in pairs {
@@ -142,16 +150,20 @@ fn foundations_of_springs_obey_every_law() {
 #[test]
 fn wrong_springs_are_caught() {
     let wrong: &[(&str, Answer)] = &[
-        ("springs even in β", |model, beta, omega| right(model, if beta < 0.0 { 1.000_001 * beta } else { beta }, omega)),
+        ("springs even in β", |model, beta, omega| {
+            right(model, if beta < 0.0 { 1.000_001 * beta } else { beta }, omega)
+        }),
         ("springs conjugate", |model, beta, omega| right(model, beta, omega.abs())),
         ("springs passive", |model, beta, omega| right(model, beta, -omega)),
         // a membrane under pressure
-        ("springs at rest", |model, beta, omega| {
-            2.0 * right(model, 0.0, omega) - right(model, beta, omega)
-        }),
+        ("springs at rest", |model, beta, omega| 2.0 * right(model, 0.0, omega) - right(model, beta, omega)),
         // the upper springs are not there
         ("springs in their limits", |model, beta, omega| match model {
-            FoundationModel::Kerr(kerr) => right(FoundationModel::Kerr(Kerr { upper_stiffness: 2.0 * kerr.upper_stiffness, ..kerr }), beta, omega),
+            FoundationModel::Kerr(kerr) => right(
+                FoundationModel::Kerr(Kerr { upper_stiffness: 2.0 * kerr.upper_stiffness, ..kerr }),
+                beta,
+                omega,
+            ),
             model => right(model, beta, omega),
         }),
     ];

@@ -99,8 +99,7 @@ fn bars(n: &Numbers) -> Track {
     let (height, alpha, wave_speed) = (n.height, 0.5, Some(n.wave_speed));
     // EA = 2αb E = k h with b = 2; m = EA h/C²
     let young = stiffness * height / 2.0;
-    let bars =
-        Ballast::Bars { young, height, alpha, wave_speed, density: None, poisson: None, loss_factor };
+    let bars = Ballast::Bars { young, height, alpha, wave_speed, density: None, poisson: None, loss_factor };
     n.ballasted(bars, stiffness * (height / n.wave_speed).powi(2))
 }
 
@@ -114,7 +113,16 @@ fn shear_layer(n: &Numbers) -> Track {
 pub fn track() -> impl Strategy<Value = Track> {
     let beam = (log(1e6, 1e9), log(30.0, 5000.0), damping());
     let spring = (log(1e7, 1e10), prop_oneof![Just(0.0), log(1e2, 1e6)], damping());
-    (beam.clone(), beam, spring.clone(), spring, log(50.0, 2000.0), 0.2..0.6, log(100.0, 600.0), 0..TRACKS.len())
+    (
+        beam.clone(),
+        beam,
+        spring.clone(),
+        spring,
+        log(50.0, 2000.0),
+        0.2..0.6,
+        log(100.0, 600.0),
+        0..TRACKS.len(),
+    )
         .prop_map(|(rail, slab, pad, ballast, mass, height, wave_speed, kind)| {
             TRACKS[kind](&Numbers { rail, slab, pad, ballast, mass, height, wave_speed })
         })
