@@ -76,7 +76,7 @@ pub mod vehicle;
 
 pub use case::Case;
 pub use concern::Concern;
-pub use foundation::{Foundation, LayeredSoil, Winkler};
+pub use foundation::{Foundation, FoundationModel, LayeredSoil, Springs};
 pub use irregularity::{Realisation, Spectrum};
 pub use progress::{Observer, Silent};
 pub use rail::TrackOnFoundation;
@@ -84,5 +84,5 @@ pub use soil::{
     Base, Compatibility, DirectStiffness, Elastic, GroundSolver, Layer, Material, Profile, Solver, Strip,
 };
 pub use study::{Model, Outcome, Study};
-pub use track::{Ballast, Ballasted, Link, Member, Slab, Stack};
+pub use track::{Ballast, Ballasted, Link, Member, Slab, Sleeper, Stack, Track};
 pub use vehicle::{Axle, Train};

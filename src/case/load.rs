@@ -200,10 +200,7 @@ impl Loader<'_> {
                 let (profile, solver, second) = self.keep(self.soil(soil))?;
                 Some((Support::Ground(profile, solver), second))
             }
-            (None, Some(springs)) => {
-                let springs = self.keep(ground::springs(springs).map_err(|f| self.fault(f)))?;
-                Some((Support::Winkler(springs), None))
-            }
+            (None, Some(springs)) => Some((Support::Springs(springs.clone()), None)),
             (None, None) if self.lacks("soil") && self.lacks("foundation") => {
                 let finding = Finding::new("", "the case has no ground");
                 self.keep(Err(self.fault(finding.help("add [soil], or [foundation] for springs"))))

@@ -11,7 +11,7 @@ use crate::study::{Contact, Irregularity, Model, Outcome, Study, Support};
 pub fn solver(model: &Model) -> &'static str {
     match model.support() {
         Support::Ground(_, solver) => solver.name(),
-        Support::Winkler(_) => "none (Winkler springs)",
+        Support::Springs(_) => "none (springs)",
     }
 }
 
@@ -140,8 +140,8 @@ fn assumptions(model: &Model, studies: &[Study]) -> Vec<String> {
                 list.push("The ground is undamped.".into());
             }
         }
-        Support::Winkler(_) => {
-            list.push("The track stands on independent springs: no waves in the ground.".into())
+        Support::Springs(springs) => {
+            list.push(format!("The track stands on {}: no waves in the ground.", springs.model().name()));
         }
     }
     if matches!(model.support(), Support::Ground(..)) {

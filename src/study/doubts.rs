@@ -49,7 +49,7 @@ pub(super) fn static_deflection(deflection: f64) -> Option<Concern> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::foundation::Winkler;
+    use crate::foundation::Springs;
     use crate::study::{Contact, CriticalSpeed, Support, TrackResponse};
     use crate::track::{Member, Stack};
     use crate::vehicle::{Axle, Train};
@@ -57,11 +57,11 @@ mod tests {
 
     /// Codes of the concerns of a speed curve and of a track response: a beam on springs of `stiffness` [N/m²] under `load` [N].
     fn codes(stiffness: f64, load: f64) -> Vec<&'static str> {
-        let springs = Winkler::new(stiffness, 1e5, 0.0).unwrap();
+        let springs = Springs::winkler(stiffness, 1e5, 0.0).unwrap();
         let strip = Strip { half_width: 1.25, compatibility: Compatibility::Mean };
         let beam = Stack::new(vec![Member::beam(1.276e7, 120.46, 0.0).unwrap()], vec![]);
         let train = Train::new(vec![Axle { position: 0.0, load }]).unwrap();
-        let model = Model::new(Support::Winkler(springs), Contact::Strip(strip), beam, Some(train)).unwrap();
+        let model = Model::new(Support::Springs(springs), Contact::Strip(strip), beam, Some(train)).unwrap();
         let curve = CriticalSpeed { speeds: vec![10.0, 20.0] }.run(&model, &Silent).unwrap();
         let shape = TrackResponse { speeds: vec![10.0], x: None, spacing: 0.5, records: vec![] };
         let shape = shape.run(&model, &Silent).unwrap();

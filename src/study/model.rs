@@ -2,7 +2,7 @@
 
 use super::{StudyError, speed_text};
 use crate::concern::Concern;
-use crate::foundation::{Foundation, FoundationError, LayeredSoil, Winkler};
+use crate::foundation::{Foundation, FoundationError, LayeredSoil, Springs};
 use crate::rail::TrackOnFoundation;
 use crate::soil::{Base, Compatibility, Profile, Solver, Strip};
 use crate::track::Stack;
@@ -57,7 +57,7 @@ pub enum Support {
     /// Layered ground with its solver.
     Ground(Profile, Solver),
     /// Springs.
-    Winkler(Winkler),
+    Springs(Springs),
 }
 
 /// Ground, track and train, checked.
@@ -74,7 +74,7 @@ pub struct Model {
 #[derive(Debug)]
 enum FoundationChoice {
     Ground(LayeredSoil),
-    Winkler(Winkler),
+    Springs(Springs),
 }
 
 impl Model {
@@ -89,7 +89,7 @@ impl Model {
         train: Option<Train>,
     ) -> Result<Self, StudyError> {
         let foundation = match (&support, contact.strip()) {
-            (Support::Winkler(springs), _) => Some(FoundationChoice::Winkler(*springs)),
+            (Support::Springs(springs), _) => Some(FoundationChoice::Springs(springs.clone())),
             (Support::Ground(profile, solver), Some(strip)) => {
                 Some(FoundationChoice::Ground(LayeredSoil::new(profile.clone(), *solver, strip)?))
             }
@@ -105,7 +105,7 @@ impl Model {
     pub fn with_solver(&self, solver: Solver) -> Result<Self, StudyError> {
         let support = match &self.support {
             Support::Ground(profile, _) => Support::Ground(profile.clone(), solver),
-            Support::Winkler(springs) => Support::Winkler(*springs),
+            Support::Springs(springs) => Support::Springs(springs.clone()),
         };
         Self::new(support, self.contact, self.stack.clone(), self.train.clone())
     }
@@ -132,7 +132,7 @@ impl Model {
     pub fn foundation(&self) -> Result<&dyn Foundation, StudyError> {
         match &self.foundation {
             Some(FoundationChoice::Ground(soil)) => Ok(soil),
-            Some(FoundationChoice::Winkler(springs)) => Ok(springs),
+            Some(FoundationChoice::Springs(springs)) => Ok(springs),
             None => Err(StudyError::PointLoad),
         }
     }
@@ -152,7 +152,7 @@ impl Model {
     pub fn ground(&self, study: &'static str) -> Result<(&Profile, Solver), StudyError> {
         match &self.support {
             Support::Ground(profile, solver) => Ok((profile, *solver)),
-            Support::Winkler(_) => Err(StudyError::NeedsGround { study }),
+            Support::Springs(_) => Err(StudyError::NeedsGround { study }),
         }
     }
 
