@@ -6,8 +6,8 @@ use super::schema::{
     TrackInput, TrackKind,
 };
 use crate::quantity::{between, positive};
+use crate::railway::Contact;
 use crate::soil::{Compatibility, Strip};
-use crate::study::Contact;
 use crate::track::{Ballast, Ballasted, Link, Member, Slab, Stack, TrackError};
 
 /// The value of a key that this kind of track needs.
@@ -145,14 +145,14 @@ fn load(input: &LoadInput, path: &str) -> Result<Contact, Finding> {
     }
 }
 
-/// Stack and contact of `[track]`; `path` is where the table stands; on ground a contact is needed, on springs refused.
-pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, Contact), Finding> {
+/// Stack of `[track]` and its contact with the ground; `path` is where the table stands; on ground a contact is needed, on springs refused.
+pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, Option<Contact>), Finding> {
     let at = |rest: &str| if path.is_empty() { rest.to_owned() } else { format!("{path}.{rest}") };
     let (kind, keys): (&str, &[&str]) = match input.kind {
         TrackKind::Ballasted => ("ballasted", &["rail", "pad", "sleeper", "ballast", "contact"]),
         TrackKind::Slab => ("slab", &["rail", "pad", "slab", "contact"]),
         TrackKind::Beam => ("beam", &["beam", "contact"]),
-        TrackKind::None => ("none", &["load"]),
+        TrackKind::None => ("none", &["load", "contact"]),
     };
     let given = [
         ("rail", input.rail.is_some()),
@@ -173,8 +173,22 @@ pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, 
             return Err(Finding::new(at("kind"), "springs need a track on them")
                 .help("allowed with [foundation]: ballasted, slab, beam"));
         }
-        let load_input = need(&input.load, path, "load", kind)?;
-        return Ok((Stack::default(), load(load_input, &at("load"))?));
+        let contact = match (&input.load, &input.contact) {
+            (Some(input), None) => load(input, &at("load"))?,
+            (None, Some(input)) => Contact::Strip(contact(input, &at("contact"))?),
+            (Some(_), Some(_)) => {
+                return Err(Finding::new(at("contact"), "load and contact are both given").help(
+                    "load is how each axle presses on the ground, contact the strip of [equivalent_stiffness] alone: remove one of them",
+                ));
+            }
+            (None, None) => {
+                return Err(Finding::new(path, "a track of kind = \"none\" needs `load`").help(
+                    "add load.kind = \"point\" or \"patch\", or contact for [equivalent_stiffness] alone; without [track] the ground \
+                     is alone",
+                ));
+            }
+        };
+        return Ok((Stack::default(), Some(contact)));
     }
     let strip = match (&input.contact, on_ground) {
         (Some(input), _) => Some(contact(input, &at("contact"))?),
@@ -204,7 +218,5 @@ pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, 
         }
         TrackKind::None => Stack::default(),
     };
-    // on springs the contact width means nothing; a strip keeps the type simple
-    let strip = strip.unwrap_or(Strip { half_width: 1.0, compatibility: Compatibility::Centre });
-    Ok((stack, Contact::Strip(strip)))
+    Ok((stack, strip.map(Contact::Strip)))
 }

@@ -34,6 +34,11 @@ impl Stack {
         Self { members, links }
     }
 
+    /// True without members: a load straight on what carries it.
+    pub fn is_empty(&self) -> bool {
+        self.members.is_empty()
+    }
+
     /// Steady response at (β, ω) on a foundation of stiffness `foundation` [N/m²].
     ///
     /// Eliminated from below, like springs in series: K ← member + upper − cross²/(lower + K).
