@@ -72,13 +72,9 @@ fn application3(bencher: Bencher, receivers: usize) {
 #[divan::bench(args = [1, 32], sample_count = 3)]
 fn contact_forces(bencher: Bencher, wheels: usize) {
     let vehicle = FourAxle {
-        body_mass: 47_800.0,
-        body_pitch_inertia: 1.957888e6,
-        bogie_centres: 17.375,
-        bogie_mass: 3500.0,
-        bogie_pitch_inertia: 1715.0,
-        wheelbase: 2.5,
-        wheelset_mass: 1800.0,
+        body: groundwave::vehicle::Body { mass: 47_800.0, pitch_inertia: 1.957888e6, bogie_centres: 17.375 },
+        bogie: groundwave::vehicle::Bogie { mass: 3500.0, pitch_inertia: 1715.0, wheelbase: 2.5 },
+        wheelset: groundwave::vehicle::Wheelset { mass: 1800.0 },
         primary: Suspension { stiffness: 2.4e6, damping: 20e3 },
         secondary: Suspension { stiffness: 0.7e6, damping: 40e3 },
     };

@@ -1,13 +1,9 @@
 //! `[soil]` and `[foundation]` → profile or springs, with every fault at its key.
 
 use super::error::Finding;
-use super::schema::{
-    BelowLayersInput, ElementInput, FoundationInput, FoundationKind, MaterialInput, SoilInput, SolverInput,
-    SolverKind,
-};
+use super::schema::{FoundationInput, FoundationKind, MaterialInput, SoilInput, SolversInput};
 use crate::foundation::{FoundationError, Winkler};
 use crate::quantity::{OutOfRange, not_negative, positive};
-use crate::soil::thin_layer::{BelowLayers, Element, ThinLayer};
 use crate::soil::{Base, Elastic, Layer, Material, Profile, SoilError, Solver};
 
 /// Thinnest layer [m], and shear wave speeds [m/s], that a case may ask for: beyond them are slips of unit.
@@ -87,60 +83,17 @@ fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
     Ok(material)
 }
 
-/// Thin layers with the settings of `input`, at `path`.
-fn thin_layer(input: &SolverInput, path: &str) -> Result<Solver, Finding> {
-    let element = match input.element {
-        Some(ElementInput::Linear) => Element::Linear,
-        Some(ElementInput::Quadratic) => Element::Quadratic,
-        Some(ElementInput::Cubic) | None => Element::Cubic,
-    };
-    let below = match input.half_space {
-        Some(BelowLayersInput::Exact) => BelowLayers::Exact,
-        Some(BelowLayersInput::Matched) | None => BelowLayers::Matched,
-    };
-    let accuracy = input.accuracy.unwrap_or(1e-6);
-    ThinLayer::new(element, accuracy, input.sublayers_per_wavelength, below).map(Solver::ThinLayer).map_err(
-        |error| {
-            let key = match error {
-                SoilError::Accuracy { .. } => "accuracy",
-                _ => "sublayers_per_wavelength",
-            };
-            Finding::new(format!("{path}.{key}"), error)
-                .help("elements of higher degree need fewer sublayers; leave the key out to have them chosen")
-        },
-    )
-}
-
 /// The solver of `[soil.solver]`, and the one to verify it with; `path` is where the table stands.
-pub fn solvers(input: Option<&SolverInput>, path: &str) -> Result<(Solver, Option<Solver>), Finding> {
-    let Some(input) = input else { return Ok((Solver::default(), None)) };
-    let solver = |kind: SolverKind| match kind {
-        SolverKind::DirectStiffness => Ok(Solver::DirectStiffness),
-        SolverKind::TransferMatrix => Ok(Solver::TransferMatrix),
-        SolverKind::Flexibility => Ok(Solver::Flexibility),
-        SolverKind::ThinLayer => thin_layer(input, path),
-    };
-    let first = solver(input.kind)?;
-    if input.kind != SolverKind::ThinLayer && input.verify != Some(SolverKind::ThinLayer) {
-        let given = [
-            ("element", input.element.is_some()),
-            ("accuracy", input.accuracy.is_some()),
-            ("sublayers_per_wavelength", input.sublayers_per_wavelength.is_some()),
-            ("half_space", input.half_space.is_some()),
-        ];
-        if let Some((key, _)) = given.iter().find(|(_, given)| *given) {
-            let message = format!("`{key}` belongs to the thin-layer solver, not to {}", first.name());
-            return Err(Finding::new(format!("{path}.{key}"), message)
-                .help("set kind or verify to \"thin-layer\", or remove the key"));
-        }
+pub fn solvers(input: Option<SolversInput>, path: &str) -> Result<(Solver, Option<Solver>), Finding> {
+    let SolversInput { solver, verify } = input.unwrap_or_default();
+    let solver = solver.unwrap_or_default();
+    if verify.is_some_and(|verify| verify.name() == solver.name()) {
+        let message = format!("{} cannot verify itself", solver.name());
+        return Err(
+            Finding::new(format!("{path}.verify"), message).help("name another solver, or remove the key")
+        );
     }
-    if input.verify == Some(input.kind) {
-        let message = format!("{} cannot verify itself", first.name());
-        return Err(Finding::new(format!("{path}.verify"), message).help(
-            "name another solver: direct-stiffness, transfer-matrix, flexibility or thin-layer; or remove the key",
-        ));
-    }
-    Ok((first, input.verify.map(solver).transpose()?))
+    Ok((solver, verify))
 }
 
 /// The layer of the table at `path`.

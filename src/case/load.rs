@@ -256,7 +256,7 @@ impl Loader<'_> {
     fn soil(&self, named: &Named<SoilInput>) -> Result<(Profile, Solver, Option<Solver>), CaseError> {
         let mut soil = self.resolve(named, "soil", "soils")?;
         let solver_path = |prefix: &str| [prefix, "solver"].join(if prefix.is_empty() { "" } else { "." });
-        let mut solvers = ground::solvers(soil.table.solver.as_ref(), &solver_path(&soil.prefix))
+        let mut solvers = ground::solvers(soil.table.solver, &solver_path(&soil.prefix))
             .map_err(|f| f.at(&soil.name, &soil.text))?;
         if let Some(name) = &soil.table.library {
             let path = format!("{}.library", soil.prefix);
@@ -275,8 +275,8 @@ impl Loader<'_> {
                 return Err(finding.help("give its layers").at(&soil.name, &soil.text));
             }
             if !own {
-                solvers = ground::solvers(soil.table.solver.as_ref(), "solver")
-                    .map_err(|f| f.at(&soil.name, &soil.text))?;
+                solvers =
+                    ground::solvers(soil.table.solver, "solver").map_err(|f| f.at(&soil.name, &soil.text))?;
             }
         }
         let profile = ground::profile(&soil.table, &soil.prefix).map_err(|faults| {
@@ -354,8 +354,9 @@ impl Case {
         };
         if let Some((railway, _)) = &railways {
             for study in &studies {
-                let checked = study.check(railway);
-                loader.keep(checked.map_err(|e| loader.fault(Finding::new(study.name(), e))));
+                let lacks = study.check(railway).err().unwrap_or_default();
+                let faults = lacks.into_iter().map(|e| loader.fault(Finding::new(study.name(), e)));
+                loader.faults.borrow_mut().extend(faults);
             }
         }
         match (railways, loader.faults.borrow_mut().split_off(0)) {

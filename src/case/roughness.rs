@@ -1,6 +1,6 @@
 //! What a given profile of the rail may be doubted for: gaps, steps, heights in the wrong unit.
 
-use super::schema::{IrregularityInput, IrregularityKind};
+use super::schema::IrregularityInput;
 use crate::columns::{self, Columns};
 use crate::concern::Concern;
 use crate::irregularity::measured;
@@ -27,12 +27,12 @@ fn steep(key: &str, slope: f64, at: &str) -> Option<Concern> {
 /// The concerns about the profile of `input`; `files` reads a file beside the case. Silent about what cannot be read: that
 /// is refused elsewhere.
 pub fn concerns(input: &IrregularityInput, files: &dyn Fn(&str) -> Result<String, String>) -> Vec<Concern> {
-    match (input.kind, input.wavelength, input.amplitude, &input.file) {
+    match input {
         // r = A cos(2πx/λ)
-        (IrregularityKind::Sinusoidal, Some(wavelength), Some(amplitude), _) => {
+        IrregularityInput::Sinusoidal { wavelength, amplitude, .. } => {
             steep("amplitude", TAU * amplitude / wavelength, "").into_iter().collect()
         }
-        (IrregularityKind::Measured, _, _, Some(file)) => {
+        IrregularityInput::Measured { file, .. } => {
             files(file).map_or(Vec::new(), |text| of_profile(file, &text))
         }
         _ => Vec::new(),

@@ -5,8 +5,7 @@ use super::error::Finding;
 use super::irregularity;
 use super::schema::{
     CaseInput, ContourInput, CriticalSpeedInput, DispersionInput, EquivalentStiffnessInput, FreeFieldInput,
-    MeasuredInput, QuantityInput, ReceptanceInput, SoilInput, SpanInput, SurfaceComplianceInput,
-    TrackResponseInput, WaveInput,
+    MeasuredInput, ReceptanceInput, SoilInput, SpanInput, SurfaceComplianceInput, TrackResponseInput,
 };
 use super::train::Wheels;
 use super::values::{Named, Range, Speed};
@@ -15,7 +14,6 @@ use crate::columns::{self, Columns};
 use crate::field::{Quantity, Window};
 use crate::math::decimal::arithmetic;
 use crate::quantity::positive;
-use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, ThinLayer};
 use crate::study::{
     Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Irregularity, Receptance,
@@ -165,15 +163,7 @@ fn contour(input: &ContourInput) -> Result<Contour, Finding> {
             return Err(Finding::new("contour.quantities", "the list is empty")
                 .help("allowed: vertical, vertical-velocity, along, across"));
         }
-        Some(list) => list
-            .iter()
-            .map(|q| match q {
-                QuantityInput::Vertical => Quantity::Vertical,
-                QuantityInput::VerticalVelocity => Quantity::VerticalVelocity,
-                QuantityInput::Along => Quantity::Along,
-                QuantityInput::Across => Quantity::Across,
-            })
-            .collect(),
+        Some(list) => list.clone(),
     };
     let speeds = speeds(&input.speeds, "contour.speeds")?;
     distinct(&speeds, "contour.speeds", "m/s")?;
@@ -201,11 +191,7 @@ fn dispersion(input: &DispersionInput) -> Result<Dispersion, Finding> {
         let message = format!("modes is {modes}: it must lie between 1 and {MOST_MODES}");
         return Err(Finding::new("dispersion.modes", message));
     }
-    let wave = match input.wave {
-        None | Some(WaveInput::Rayleigh) => SurfaceWave::Rayleigh,
-        Some(WaveInput::Love) => SurfaceWave::Love,
-    };
-    Ok(Dispersion { frequencies, modes, wave })
+    Ok(Dispersion { frequencies, modes, wave: input.wave.unwrap_or_default() })
 }
 
 /// Distances from the centre line, ascending.

@@ -1,13 +1,10 @@
 //! `[track]` → stack and contact, with every fault at its key.
 
 use super::error::Finding;
-use super::schema::{
-    BallastInput, BallastKind, BeamInput, CompatibilityInput, ContactInput, LoadInput, LoadKind, SpringInput,
-    TrackInput, TrackKind,
-};
+use super::schema::{BallastInput, BallastKind, BeamInput, LoadInput, SpringInput, TrackInput, TrackKind};
 use crate::quantity::{between, positive};
 use crate::railway::Contact;
-use crate::soil::{Compatibility, Strip};
+use crate::soil::Strip;
 use crate::track::{Ballast, Ballasted, Link, Member, Slab, Stack, TrackError};
 
 /// The value of a key that this kind of track needs.
@@ -32,24 +29,6 @@ fn beam(input: &BeamInput, path: &str) -> Result<Member, Finding> {
 
 fn spring(input: &SpringInput, path: &str) -> Result<Link, Finding> {
     Link::spring(input.stiffness, input.damping, input.loss_factor).map_err(fault(path))
-}
-
-fn compatibility(input: CompatibilityInput) -> Compatibility {
-    match input {
-        CompatibilityInput::Centre => Compatibility::Centre,
-        CompatibilityInput::Mean => Compatibility::Mean,
-    }
-}
-
-fn length(key: &'static str, value: f64, path: &str) -> Result<f64, Finding> {
-    positive(key, value, "m").map_err(|e| Finding::out_of_range(path, e))
-}
-
-fn contact(input: &ContactInput, path: &str) -> Result<Strip, Finding> {
-    Ok(Strip {
-        half_width: length("half_width", input.half_width, path)?,
-        compatibility: compatibility(input.compatibility),
-    })
 }
 
 /// C_b: as given, or √(E/ρ), or √(M/ρ) with the constrained modulus M = E(1 − ν)/((1 + ν)(1 − 2ν)).
@@ -123,23 +102,14 @@ fn ballast(input: &BallastInput, strip: Option<Strip>, path: &str) -> Result<Bal
     }
 }
 
-fn load(input: &LoadInput, path: &str) -> Result<Contact, Finding> {
-    match input.kind {
-        LoadKind::Point => match (input.half_length, input.half_width, input.compatibility) {
-            (None, None, None) => Ok(Contact::Point),
-            _ => Err(Finding::new(path, "a point load has no size")
-                .help("remove its size, or say kind = \"patch\"")),
-        },
-        LoadKind::Patch => {
-            let half_length = *need(&input.half_length, path, "half_length", "patch")?;
-            let half_width = *need(&input.half_width, path, "half_width", "patch")?;
-            let compatible = *need(&input.compatibility, path, "compatibility", "patch")?;
+fn load(input: LoadInput, path: &str) -> Result<Contact, Finding> {
+    match input {
+        LoadInput::Point => Ok(Contact::Point),
+        LoadInput::Patch { half_length, strip } => {
+            let refused = |e| Finding::out_of_range(path, e);
             Ok(Contact::Patch {
-                half_length: length("half_length", half_length, path)?,
-                strip: Strip {
-                    half_width: length("half_width", half_width, path)?,
-                    compatibility: compatibility(compatible),
-                },
+                half_length: positive("half_length", half_length, "m").map_err(refused)?,
+                strip,
             })
         }
     }
@@ -174,8 +144,8 @@ pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, 
                 .help("allowed with [foundation]: ballasted, slab, beam"));
         }
         let contact = match (&input.load, &input.contact) {
-            (Some(input), None) => load(input, &at("load"))?,
-            (None, Some(input)) => Contact::Strip(contact(input, &at("contact"))?),
+            (Some(input), None) => load(*input, &at("load"))?,
+            (None, Some(strip)) => Contact::Strip(*strip),
             (Some(_), Some(_)) => {
                 return Err(Finding::new(at("contact"), "load and contact are both given").help(
                     "load is how each axle presses on the ground, contact the strip of [equivalent_stiffness] alone: remove one of them",
@@ -191,7 +161,7 @@ pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, 
         return Ok((Stack::default(), Some(contact)));
     }
     let strip = match (&input.contact, on_ground) {
-        (Some(input), _) => Some(contact(input, &at("contact"))?),
+        (Some(strip), _) => Some(*strip),
         (None, true) => {
             return Err(Finding::new(path, "missing key `contact`: how the track touches the ground")
                 .help("add contact.half_width = … [m] and contact.compatibility = \"centre\" or \"mean\""));

@@ -12,14 +12,19 @@ use super::{Profile, half_space};
 use crate::math::bessel::modified_bessel;
 use crate::math::complex::I;
 use crate::math::quadrature::{Adaptive, Estimate, Tolerance};
+use crate::quantity::positive;
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde::de::{Deserializer, Error};
 use std::f64::consts::PI;
 
 /// Evaluations of G allowed for one strip integral.
 const MAX_COUNT: usize = 60_000;
 
 /// Which displacement of the strip the track follows; the load is uniform either way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
 pub enum Compatibility {
     /// Under the centre line: sinc.
     Centre,
@@ -28,12 +33,22 @@ pub enum Compatibility {
 }
 
 /// A uniformly loaded strip along x.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(deny_unknown_fields, remote = "Self")]
+#[schemars(rename = "Strip")]
 pub struct Strip {
     /// b [m], half of the contact width.
     pub half_width: f64,
     /// Displacement the track follows.
     pub compatibility: Compatibility,
+}
+
+impl<'de> Deserialize<'de> for Strip {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let strip = Self::deserialize(deserializer)?;
+        positive("half_width", strip.half_width, "m").map_err(D::Error::custom)?;
+        Ok(strip)
+    }
 }
 
 impl Strip {

@@ -29,7 +29,7 @@ use crate::figure::Figure;
 use crate::foundation::FoundationError;
 use crate::progress::Observer;
 use crate::rail::InteractionError;
-use crate::railway::{Railway, RailwayError};
+use crate::railway::{Ground, Railway, RailwayError};
 use crate::soil::SoilError;
 use thiserror::Error;
 
@@ -121,45 +121,58 @@ impl Study {
         }
     }
 
-    /// Refuses, before anything is computed, what cannot be answered.
+    /// Refuses, before anything is computed, what cannot be answered: all that `railway` lacks, or else the first limit in the way.
     ///
     /// # Errors
     /// As `run`, where it can be known beforehand.
-    pub fn check(&self, railway: &Railway) -> Result<(), StudyError> {
-        match self {
-            Self::CriticalSpeed(study) => {
-                railway.track()?;
-                railway.train()?;
-                Ok(railway.check_damping(study.speeds.iter().copied())?)
-            }
-            Self::TrackResponse(study) => {
-                railway.track()?;
-                railway.train()?;
-                Ok(railway.check_damping(study.speeds.iter().copied())?)
-            }
+    pub fn check(&self, railway: &Railway) -> Result<(), Vec<StudyError>> {
+        let lacks = self.lacks(railway);
+        if lacks.is_empty() {
+            self.check_limits(railway).map_err(|error| vec![error])
+        } else {
+            Err(lacks.into_iter().map(StudyError::from).collect())
+        }
+    }
+
+    /// What `railway` lacks for an answer.
+    fn lacks(&self, railway: &Railway) -> Vec<RailwayError> {
+        let (ground, track, train) = (railway.ground(), railway.track().err(), railway.train().err());
+        let [first, second] = match self {
+            Self::CriticalSpeed(_) | Self::TrackResponse(_) => [track, train],
+            Self::Receptance(_) => [track, None],
+            Self::Contour(_) => [ground.and_then(Ground::contact).err(), train],
+            Self::FreeField(_) => [ground.err().or(track), train],
+            Self::EquivalentStiffness(_) => [railway.foundation().err(), None],
+            Self::Dispersion(_) | Self::SurfaceCompliance(_) => [ground.err(), None],
+        };
+        first.into_iter().chain(second).collect()
+    }
+
+    /// Refuses phase speeds that undamped ground cannot bear, receivers on the track, grids beyond the memory.
+    fn check_limits(&self, railway: &Railway) -> Result<(), StudyError> {
+        let speeds: Vec<f64> = match self {
+            Self::CriticalSpeed(CriticalSpeed { speeds }) => speeds.clone(),
+            Self::TrackResponse(TrackResponse { speeds, .. }) => speeds.clone(),
             Self::Contour(study) => {
                 study.check(railway)?;
-                Ok(railway.check_damping(study.speeds.iter().copied())?)
+                study.speeds.clone()
             }
+            // a standing load feels waves of every phase speed, and wheels shed them
             Self::Receptance(study) => {
-                railway.track()?;
-                if !study.receivers.is_empty() {
-                    railway.check_receivers(&study.receivers)?;
-                }
-                if let Some(map) = &study.map {
-                    map.check(railway)?;
-                }
-                // a standing load feels waves of every phase speed
-                Ok(railway.check_damping(std::iter::once(f64::INFINITY))?)
+                study.check(railway)?;
+                vec![f64::INFINITY]
             }
-            Self::FreeField(study) => study.check(railway),
+            Self::FreeField(study) => {
+                study.check(railway)?;
+                vec![f64::INFINITY]
+            }
             Self::EquivalentStiffness(study) => {
-                railway.foundation()?;
                 let omega = std::f64::consts::TAU * study.frequencies.iter().copied().fold(0.0, f64::max);
-                Ok(railway.check_damping(study.beta.iter().map(|beta| omega / beta))?)
+                study.beta.iter().map(|beta| omega / beta).collect()
             }
-            Self::Dispersion(_) | Self::SurfaceCompliance(_) => Ok(railway.ground().map(|_| ())?),
-        }
+            Self::Dispersion(_) | Self::SurfaceCompliance(_) => return Ok(()),
+        };
+        Ok(railway.check_damping(speeds.into_iter())?)
     }
 }
 

@@ -35,7 +35,7 @@ const RECEIVER: f64 = 8.0;
 const MASS: f64 = 2003.0;
 const CONTACT: f64 = 1.94e9;
 
-const SPECTRUM: Spectrum = Spectrum::German(German::Low);
+const SPECTRUM: Spectrum = Spectrum::German { quality: German::Low };
 
 /// Slower and faster than the waves of the ground that matter [m/s].
 const SLOW: f64 = 114.0;

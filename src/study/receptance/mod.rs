@@ -51,6 +51,17 @@ pub struct Receptances {
 type Row = (Complex64, Vec<Complex64>, bool);
 
 impl Receptance {
+    /// Refuses receivers on the track and maps beyond the free memory.
+    ///
+    /// # Errors
+    /// Either, and receivers or a map without layered ground.
+    pub fn check(&self, railway: &Railway) -> Result<(), StudyError> {
+        if !self.receivers.is_empty() {
+            railway.check_receivers(&self.receivers)?;
+        }
+        self.map.as_ref().map_or(Ok(()), |map| map.check(railway))
+    }
+
     /// Displacements of rail and ground per unit force e^{iωt} on the rail [m/N], positive down.
     ///
     /// Accuracy: 2.3e-4 of the rail, 2.3e-5 of the ground (test `cross_solver::receptance`).
