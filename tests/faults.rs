@@ -116,6 +116,13 @@ fn one_mistake_is_one_fault() {
         ("title = ", "titel = ", "titel"),
         ("\"beam\"", "\"bean\"", "track.kind"),
         ("load = 150e3", "load = \"150e3\"", "train.axles[0].load"),
+        ("load = 150e3", "lod = 150e3", "train.axles[0].lod"),
+        ("bending_stiffness = 1.0e8", "bending = 1.0e8", "track.beam.bending"),
+        ("bending_stiffness = 1.0e8", "bending_stiffness = -1.0e8", "track.beam.bending_stiffness"),
+        ("half_width = 1.25", "half_width = -1.25", "track.contact.half_width"),
+        ("\"centre\"", "\"center\"", "track.contact.compatibility"),
+        ("young = 60e6", "young = nan", "soil.layer[0].young"),
+        ("poisson = 0.35\n", "", "soil.layer[0]"),
     ] {
         assert_eq!(keys(&good.replacen(from, to, 1)), [key], "{to}");
     }

@@ -180,9 +180,13 @@ fn locate(text: &str, path: &str, on_key: bool) -> Option<std::ops::Range<usize>
     span
 }
 
-/// Which of `allowed` is probably meant by `found`, if any is near enough.
+/// Which of `allowed` is probably meant by `found`, if any is near enough, or begins with it.
 pub fn nearest<'a>(found: &str, allowed: &[&'a str]) -> Option<&'a str> {
-    let near = allowed.iter().map(|a| (strsim::damerau_levenshtein(found, a), *a)).min();
+    let distance = |a: &str| match found.len() >= 3 && a.starts_with(found) {
+        true => 1,
+        false => strsim::damerau_levenshtein(found, a),
+    };
+    let near = allowed.iter().map(|a| (distance(a), *a)).min();
     near.filter(|(distance, a)| *distance <= 2.max(a.len() / 3)).map(|(_, a)| a)
 }
 
@@ -234,6 +238,7 @@ mod tests {
     #[test]
     fn suggests_the_nearest_spelling() {
         assert!(spelling("youngs", &["young", "poisson"]).starts_with("did you mean `young`?"));
+        assert!(spelling("pitch", &["mass", "pitch_inertia"]).starts_with("did you mean `pitch_inertia`?"));
         assert!(spelling("zzz", &["young", "poisson"]).starts_with("allowed"));
     }
 }

@@ -13,6 +13,8 @@
 //!
 //! A constructor that refuses what was read (`serde(try_from)`, or `D::Error::custom`) says at which key by
 //! [`OutOfRange`](crate::quantity::OutOfRange) or [`keyed`](crate::quantity::keyed).
+//!
+//! The file is long because serde asks for a reader of every shape a value can have.
 
 use super::error::{Finding, nearest, spelling};
 use crate::quantity::KEY_ENDS;

@@ -351,7 +351,8 @@ pub struct TrackResponseInput {
 pub struct MeasuredInput {
     /// Speed the record belongs to.
     pub speed: Speed,
-    /// CSV file beside the case: a header line, then x′ [m] (positive ahead) and deflection [m] (positive down).
+    /// CSV file beside the case: a header line, then x′ (positive ahead) and deflection (positive down), in m or
+    /// the units of the header, such as [mm].
     pub file: String,
     /// Legend entry.
     pub label: String,
@@ -431,7 +432,8 @@ pub struct WheelRailInput {
 pub enum IrregularityInput {
     /// A measured profile of the rail.
     Measured {
-        /// CSV file beside the case: a header line, then x [m] and r [m, positive down].
+        /// CSV file beside the case: a header line, then x and r (positive down), in m or the units of
+        /// the header, such as [mm].
         file: String,
         /// x of the profile abreast of the receivers [m]; its middle by default.
         abreast: Option<f64>,
