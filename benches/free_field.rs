@@ -10,8 +10,9 @@ use groundwave::foundation::LayeredSoil;
 use groundwave::irregularity::{FraBreakWavenumber, Spectrum};
 use groundwave::progress::Silent;
 use groundwave::rail::TrackOnFoundation;
+use groundwave::railway::{Contact, Ground, Railway, Support};
 use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Solver, Strip, ThinLayer};
-use groundwave::study::{Contact, FreeField, Irregularity, Model, Roughness, Support};
+use groundwave::study::{FreeField, Irregularity, Roughness};
 use groundwave::track::{Ballast, Ballasted, Link, Member, Sleeper, Stack};
 use groundwave::vehicle::{Axle, FourAxle, Multibody, Suspension, Train};
 use std::f64::consts::TAU;
@@ -60,8 +61,10 @@ fn application3(bencher: Bencher, receivers: usize) {
         roughness: Some(roughness),
         sections: None,
     };
-    let support = Support::Ground(common::named("paper_layered"), Solver::ThinLayer(ThinLayer::default()));
-    let model = Model::new(support, Contact::Strip(STRIP), stack(), Some(train)).unwrap();
+    let thin = Solver::ThinLayer(ThinLayer::default());
+    let support =
+        Support::Ground(Ground::new(common::named("paper_layered"), thin, Some(Contact::Strip(STRIP))));
+    let model = Railway::new(support, stack(), Some(train)).unwrap();
     bencher.bench(|| study.run(&model, &Silent).unwrap());
 }
 

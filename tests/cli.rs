@@ -663,7 +663,39 @@ fn check_list_and_schema() {
     for key in ["half_space", "loss_factor", "half_width", "axles", "spacing"] {
         assert!(schema["$defs"].to_string().contains(&format!("\"{key}\"")), "{key}");
     }
+    for (table, kind, keys) in [
+        ("SolversInput", "flexibility", vec!["kind"]),
+        (
+            "SolversInput",
+            "thin-layer",
+            vec!["accuracy", "element", "half_space", "kind", "sublayers_per_wavelength"],
+        ),
+        ("IrregularityInput", "sinusoidal", vec!["amplitude", "kind", "phase", "wavelength"]),
+        ("IrregularityInput", "german", vec!["kind", "quality"]),
+        ("IrregularityInput", "fra-corner", vec!["class", "kind"]),
+    ] {
+        assert_eq!(
+            keys_of(&schema["$defs"][table], kind),
+            Some(keys),
+            "{table} {kind}: {}",
+            schema["$defs"][table]
+        );
+    }
+    assert_eq!(schema["$defs"]["SolversInput"]["unevaluatedProperties"], false);
     assert_eq!(names_in(folder.path()), ["case.toml"]);
+}
+
+/// Keys that a schema allows where `kind` is this one, besides those of the table it stands in.
+fn keys_of<'a>(schema: &'a serde_json::Value, kind: &str) -> Option<Vec<&'a str>> {
+    if schema["properties"]["kind"]["const"] == kind {
+        return Some(schema["properties"].as_object()?.keys().map(String::as_str).collect());
+    }
+    let inner: Vec<&serde_json::Value> = match schema {
+        serde_json::Value::Object(keys) => keys.values().collect(),
+        serde_json::Value::Array(items) => items.iter().collect(),
+        _ => return None,
+    };
+    inner.into_iter().find_map(|inner| keys_of(inner, kind))
 }
 
 #[test]

@@ -84,7 +84,7 @@ pub enum BaseInput {
 #[serde(deny_unknown_fields)]
 pub struct SolversInput {
     /// Another solver, which answers every study a second time; the differences are reported. By name, or with its settings.
-    #[schemars(with = "Named<Solver>")]
+    #[schemars(with = "Option<Named<Solver>>")]
     pub verify: Option<Solver>,
     /// The solver; direct-stiffness by default.
     #[serde(rename = "$rest")]

@@ -3,8 +3,8 @@
 use super::error::Finding;
 use super::schema::{LoadInput, TrackInput};
 use crate::quantity::positive;
-use crate::soil::{Compatibility, Strip};
-use crate::study::Contact;
+use crate::railway::Contact;
+use crate::soil::Strip;
 use crate::track::{Stack, Track, TrackError};
 
 fn load(input: LoadInput, path: &str) -> Result<Contact, Finding> {
@@ -31,8 +31,9 @@ fn fault(error: TrackError, path: &str, at: impl Fn(&str) -> String) -> Finding 
     }
 }
 
-/// Stack and contact of `[track]`; `path` is where the table stands; on ground a contact is needed.
-pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, Contact), Finding> {
+/// Stack of `[track]` and its contact with the ground; `path` is where the table stands; on ground a
+/// contact is needed.
+pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, Option<Contact>), Finding> {
     let at = |rest: &str| if path.is_empty() { rest.to_owned() } else { format!("{path}.{rest}") };
     let stack = |strip: Option<Strip>| {
         input.track.stack(strip.map(|s| s.half_width)).map_err(|error| fault(error, path, at))
@@ -42,15 +43,22 @@ pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, 
             return Err(Finding::new(at("kind"), "springs need a track on them")
                 .help("allowed with [foundation]: ballasted, slab, beam"));
         }
-        if input.contact.is_some() {
-            return Err(Finding::new(at("contact"), "a track of kind = \"none\" has no `contact`")
-                .help("its axles touch the ground: load.kind = \"point\" or \"patch\""));
-        }
-        let Some(input) = input.load else {
-            return Err(Finding::new(path, "missing key `load`, needed by kind = \"none\"")
-                .help("add load.kind = \"point\" or \"patch\""));
+        let contact = match (input.load, input.contact) {
+            (Some(input), None) => load(input, &at("load"))?,
+            (None, Some(strip)) => Contact::Strip(strip),
+            (Some(_), Some(_)) => {
+                return Err(Finding::new(at("contact"), "load and contact are both given").help(
+                    "load is how each axle presses on the ground, contact the strip of [equivalent_stiffness] alone: remove one of them",
+                ));
+            }
+            (None, None) => {
+                return Err(Finding::new(path, "a track of kind = \"none\" needs `load`").help(
+                    "add load.kind = \"point\" or \"patch\", or contact for [equivalent_stiffness] alone; without [track] the ground \
+                     is alone",
+                ));
+            }
         };
-        return Ok((stack(None)?, load(input, &at("load"))?));
+        return Ok((stack(None)?, Some(contact)));
     }
     if input.load.is_some() {
         return Err(Finding::new(at("load"), "only a track of kind = \"none\" has a `load`")
@@ -60,7 +68,5 @@ pub fn track(input: &TrackInput, path: &str, on_ground: bool) -> Result<(Stack, 
         return Err(Finding::new(path, "missing key `contact`: how the track touches the ground")
             .help("add contact.half_width = … [m] and contact.compatibility = \"centre\" or \"mean\""));
     }
-    // on springs the contact width means nothing; a strip keeps the type simple
-    let made_up = Strip { half_width: 1.0, compatibility: Compatibility::Centre };
-    Ok((stack(input.contact)?, Contact::Strip(input.contact.unwrap_or(made_up))))
+    Ok((stack(input.contact)?, input.contact.map(Contact::Strip)))
 }

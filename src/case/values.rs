@@ -68,7 +68,7 @@ impl JsonSchema for Speed {
 /// Several values: a list, or { from, to, step }.
 #[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields, expecting = "a list [a, b, …] or a range { from = …, to = …, step = … }")]
-#[schemars(untagged)]
+#[schemars(untagged, rename = "Range_of_{T}")]
 pub enum Range<T> {
     /// As listed.
     #[serde(rename = "$list")]
@@ -88,7 +88,7 @@ pub enum Range<T> {
 /// A table, or the name of a library entry (or of a TOML file beside the case) that stands for it.
 #[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(expecting = "a table, or the name of a library entry")]
-#[schemars(untagged)]
+#[schemars(untagged, rename = "Named_{T}")]
 pub enum Named<T> {
     /// By name.
     #[serde(rename = "$text")]

@@ -34,6 +34,11 @@ impl Stack {
         Self { members, links }
     }
 
+    /// True without members: a load straight on what carries it.
+    pub fn is_empty(&self) -> bool {
+        self.members.is_empty()
+    }
+
     /// Steady response at (β, ω) on a foundation of stiffness `foundation` [N/m²]: [`respond_at`](Self::respond_at) for real `beta`
     /// [rad/m].
     #[inline]
