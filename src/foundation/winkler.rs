@@ -33,7 +33,7 @@ impl Winkler {
 
 impl Foundation for Winkler {
     fn stiffness_to(&self, _beta: f64, omega: f64, _relative: f64) -> Result<Stiffness, FoundationError> {
-        Ok(Stiffness { value: self.at(omega), relative_error: 0.0, converged: true })
+        Ok(Stiffness { value: self.at(omega), relative_error: 0.0, converged: true, count: 0 })
     }
 
     fn moving(
@@ -43,6 +43,11 @@ impl Foundation for Winkler {
         _to: f64,
         _allowed: &dyn Fn(f64, Complex64) -> f64,
     ) -> Result<Moving<'_>, FoundationError> {
-        Ok(Moving { stiffness: Box::new(move |beta| self.at(-beta * speed)), converged: true })
+        Ok(Moving {
+            stiffness: Box::new(move |beta| self.at(-beta * speed)),
+            converged: true,
+            worst: 0.0,
+            count: 0,
+        })
     }
 }

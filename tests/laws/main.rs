@@ -8,6 +8,7 @@ mod agreement;
 mod dispersion;
 mod draw;
 mod ground;
+mod light_damping;
 mod moving;
 mod strip;
 mod thin_layer;
