@@ -68,6 +68,7 @@ pub mod output;
 pub mod progress;
 pub mod quantity;
 pub mod rail;
+pub mod railway;
 pub mod signal;
 pub mod soil;
 pub mod study;
@@ -76,13 +77,14 @@ pub mod vehicle;
 
 pub use case::Case;
 pub use concern::Concern;
-pub use foundation::{Foundation, LayeredSoil, Winkler};
+pub use foundation::{Foundation, FoundationModel, LayeredSoil, Springs};
 pub use irregularity::{Realisation, Spectrum};
 pub use progress::{Observer, Silent};
 pub use rail::TrackOnFoundation;
+pub use railway::{Ground, Railway};
 pub use soil::{
     Base, Compatibility, DirectStiffness, Elastic, GroundSolver, Layer, Material, Profile, Solver, Strip,
 };
-pub use study::{Model, Outcome, Study};
-pub use track::{Ballast, Ballasted, Link, Member, Slab, Stack};
+pub use study::{Outcome, Study};
+pub use track::{Ballast, Ballasted, Link, Member, Slab, Sleeper, Stack, Track};
 pub use vehicle::{Axle, Train};

@@ -132,7 +132,6 @@ fn one_mistake_is_one_fault() {
         [
             "case.toml: missing key `title`",
             "case.toml: the case has no ground",
-            "case.toml: the case has no track",
             "case.toml: the case asks for nothing"
         ]
     );

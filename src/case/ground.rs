@@ -1,8 +1,7 @@
-//! `[soil]` and `[foundation]` → profile or springs, with every fault at its key.
+//! `[soil]` → profile and solver, with every fault at its key.
 
 use super::error::Finding;
-use super::schema::{FoundationInput, FoundationKind, MaterialInput, SoilInput, SolversInput};
-use crate::foundation::{FoundationError, Winkler};
+use super::schema::{MaterialInput, SoilInput, SolversInput};
 use crate::quantity::{OutOfRange, not_negative, positive};
 use crate::soil::{Base, Elastic, Layer, Material, Profile, SoilError, Solver};
 
@@ -150,13 +149,4 @@ pub fn profile(input: &SoilInput, path: &str) -> Result<Profile, Vec<Finding>> {
         Ok(_) => Err(faults),
         Err(fault) => Err(faults.into_iter().chain([fault]).collect()),
     }
-}
-
-/// The springs of `[foundation]`.
-pub fn springs(input: &FoundationInput) -> Result<Winkler, Finding> {
-    let FoundationKind::Winkler = input.kind;
-    Winkler::new(input.stiffness, input.damping, input.loss_factor).map_err(|error| match error {
-        FoundationError::OutOfRange(error) => Finding::out_of_range("foundation", error),
-        error => Finding::new("foundation", error),
-    })
 }

@@ -1,4 +1,4 @@
-//! A case file → model and studies, everything checked before anything is computed.
+//! A case file → railway and studies, everything checked before anything is computed.
 
 use super::error::{CaseError, Finding};
 use super::faults::{self, Read};
@@ -8,8 +8,9 @@ use super::values::Named;
 use super::{files, ground, library, plausible, roughness, studies, track, train};
 use crate::columns;
 use crate::concern::Concern;
+use crate::railway::{Contact, Ground, Railway, Support};
 use crate::soil::{Profile, Solver};
-use crate::study::{Contact, Model, Study, Support};
+use crate::study::Study;
 use crate::track::Stack;
 use crate::vehicle::Train;
 use serde::de::DeserializeOwned;
@@ -31,9 +32,9 @@ pub struct Case {
     /// Sources of the library entries in use.
     pub references: Vec<String>,
     /// Ground, track, train.
-    pub model: Model,
+    pub railway: Railway,
     /// The same with the solver that is to verify it (`soil.solver.verify`).
-    pub witness: Option<Model>,
+    pub witness: Option<Railway>,
     /// What is asked.
     pub studies: Vec<Study>,
     /// What its numbers may be doubted for: slips of unit, profiles with gaps.
@@ -85,7 +86,7 @@ pub(super) struct Loader<'a> {
 }
 
 /// Ground or springs, and the solver to verify the ground with.
-type Ground = (Support, Option<Solver>);
+type Carrier = (Support, Option<Solver>);
 
 impl Loader<'_> {
     fn fault(&self, finding: Finding) -> CaseError {
@@ -191,19 +192,16 @@ impl Loader<'_> {
     }
 
     /// What lies under the track.
-    fn support(&self, input: &CaseInput) -> Option<Ground> {
+    fn support(&self, input: &CaseInput) -> Option<Carrier> {
         match (&input.soil, &input.foundation) {
             (Some(_), Some(_)) => self.keep(Err(self.fault(
                 Finding::new("foundation", "soil and foundation are both given").help("remove one of them"),
             ))),
             (Some(soil), None) => {
                 let (profile, solver, second) = self.keep(self.soil(soil))?;
-                Some((Support::Ground(profile, solver), second))
+                Some((Support::Ground(Ground::new(profile, solver, None)), second))
             }
-            (None, Some(springs)) => {
-                let springs = self.keep(ground::springs(springs).map_err(|f| self.fault(f)))?;
-                Some((Support::Winkler(springs), None))
-            }
+            (None, Some(springs)) => Some((Support::Springs(springs.clone()), None)),
             (None, None) if self.lacks("soil") && self.lacks("foundation") => {
                 let finding = Finding::new("", "the case has no ground");
                 self.keep(Err(self.fault(finding.help("add [soil], or [foundation] for springs"))))
@@ -212,14 +210,15 @@ impl Loader<'_> {
         }
     }
 
-    /// The track and its contact with what it lies on.
-    fn track(&self, input: &CaseInput) -> Option<(Stack, Contact)> {
+    /// The track and its contact with the ground.
+    fn track(&self, input: &CaseInput) -> Option<(Stack, Option<Contact>)> {
         let Some(named) = &input.track else {
-            if self.lacks("track") {
-                let finding = Finding::new("", "the case has no track");
-                self.keep::<()>(Err(self.fault(finding.help("add [track]; kind = \"none\" is none"))));
+            if input.foundation.is_some() && self.lacks("track") {
+                let finding = Finding::new("foundation", "springs need a track on them");
+                self.keep::<()>(Err(self.fault(finding.help("add [track]"))));
             }
-            return None;
+            // the ground alone
+            return (input.foundation.is_none() && self.lacks("track")).then(|| (Stack::default(), None));
         };
         let resolved = self.keep(self.resolve(named, "track", "tracks"))?;
         let on_ground = input.foundation.is_none() && !self.spoilt.contains("foundation");
@@ -235,19 +234,19 @@ impl Loader<'_> {
         }
     }
 
-    /// The model, and the one to verify it.
-    fn models(
+    /// The railway, and the one to verify it.
+    fn railways(
         &self,
-        model: Result<Model, impl std::fmt::Display>,
+        railway: Result<Railway, impl std::fmt::Display>,
         second: Option<Solver>,
-    ) -> Option<(Model, Option<Model>)> {
-        let model = self.keep(model.map_err(|e| self.fault(Finding::new("track", e))))?;
+    ) -> Option<(Railway, Option<Railway>)> {
+        let railway = self.keep(railway.map_err(|e| self.fault(Finding::new("track", e))))?;
         let witness = second
-            .map(|solver| model.with_solver(solver))
+            .map(|solver| railway.with_solver(solver))
             .transpose()
             .map_err(|e| self.fault(Finding::new("soil.solver.verify", e)));
         let witness = self.keep(witness)?;
-        Some((model, witness))
+        Some((railway, witness))
     }
 
     /// The ground, its solver and the one to verify it with.
@@ -340,27 +339,31 @@ impl Case {
         let (studies, faults) = studies::studies(&input, wheels, &loader.spoilt, &|name| loader.file(name));
         loader.faults.borrow_mut().extend(faults.into_iter().map(|finding| loader.fault(finding)));
         let concerns = loader.review(&input);
-        let models = match (ground, track, train) {
-            (Some((support, second)), Some((stack, contact)), Some(train)) => {
+        let railways = match (ground, track, train) {
+            (Some((mut support, second)), Some((stack, contact)), Some(train)) => {
+                if let Support::Ground(ground) = &mut support {
+                    ground.contact = contact;
+                }
                 let train = train.map(|(train, _)| train);
-                loader.models(Model::new(support, contact, stack, train), second)
+                loader.railways(Railway::new(support, stack, train), second)
             }
             _ => None,
         };
-        if let Some((model, _)) = &models {
+        if let Some((railway, _)) = &railways {
             for study in &studies {
-                let checked = study.check(model);
-                loader.keep(checked.map_err(|e| loader.fault(Finding::new(study.name(), e))));
+                let lacks = study.check(railway).err().unwrap_or_default();
+                let faults = lacks.into_iter().map(|e| loader.fault(Finding::new(study.name(), e)));
+                loader.faults.borrow_mut().extend(faults);
             }
         }
-        match (models, loader.faults.borrow_mut().split_off(0)) {
-            (Some((model, witness)), faults) if faults.is_empty() => Ok(Self {
+        match (railways, loader.faults.borrow_mut().split_off(0)) {
+            (Some((railway, witness)), faults) if faults.is_empty() => Ok(Self {
                 title: input.title,
                 source: input.source,
                 text: text.to_owned(),
                 files: loader.files.take(),
                 references: loader.references.take(),
-                model,
+                railway,
                 witness,
                 studies,
                 concerns,

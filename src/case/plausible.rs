@@ -32,6 +32,7 @@ const RATIO: Unit = unit("", &[("%", 1e-2)]);
 const DENSITY: Unit = unit("kg/m³", &[("t/m³", 1e3), ("kN/m³", 1e3 / 9.81)]);
 const PRESSURE: Unit = unit("Pa", &[("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9)]);
 const NEWTON: Unit = unit("N", &[("kN", 1e3), ("t", 9.81e3)]);
+const AXIAL: Unit = unit("N", &[("kN", 1e3), ("MN", 1e6)]);
 const KILOGRAM: Unit = unit("kg", &[("t", 1e3)]);
 const INERTIA: Unit = unit("kg m²", &[("t m²", 1e3)]);
 const LINE_MASS: Unit = unit("kg/m", &[("t/m", 1e3)]);
@@ -74,6 +75,10 @@ const TABLE: &[Row] = &[
     row("foundation.stiffness", LINE_SPRING, (1e3, 1e13), (1e6, 1e10)),
     row("foundation.damping", LINE_DAMPER, ANY, (1e2, 1e8)),
     row("foundation.loss_factor", RATIO, (0.0, 5.0), (0.0, 2.0)),
+    row("foundation.shear", AXIAL, ANY, (1e4, 1e10)),
+    row("foundation.tension", AXIAL, ANY, (1e4, 1e10)),
+    row("foundation.bending_stiffness", BENDING, ANY, (1e3, 1e11)),
+    row("foundation.upper_stiffness", LINE_SPRING, (1e3, f64::INFINITY), (1e6, 1e12)),
     row("track.rail.bending_stiffness", BENDING, (1e3, 1e10), (2e5, 1e8)),
     row("track.rail.mass", LINE_MASS, (1.0, 1e4), (15.0, 300.0)),
     row("track.pad.stiffness", LINE_SPRING, (1e5, 1e14), (5e6, 2e10)),

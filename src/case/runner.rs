@@ -63,7 +63,7 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
     let mut outcomes: Vec<(&'static str, Outcome)> = Vec::new();
     for study in &case.studies {
         let outcome = study
-            .run(&case.model, observer)
+            .run(&case.railway, observer)
             .map_err(|source| RunError::Study { study: study.name(), source })?;
         outcomes.push((study.name(), outcome));
     }
@@ -141,7 +141,7 @@ fn write(
         ("title".into(), case.title.clone().into()),
         ("program".into(), "groundwave".into()),
         ("version".into(), env!("CARGO_PKG_VERSION").into()),
-        ("solver".into(), report::solver(&case.model).into()),
+        ("solver".into(), report::solver(&case.railway).into()),
         ("case_text".into(), case.text.clone().into()),
         ("case_files".into(), serde_json::json!(case.files).to_string().into()),
         ("concerns".into(), serde_json::json!(concerns).to_string().into()),

@@ -4,9 +4,11 @@
 
 use super::values::{Named, Range, Speed};
 use crate::field::Quantity;
+use crate::foundation::{FoundationModel, Springs};
 use crate::irregularity::{Order, Spectrum};
 use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, Strip};
+use crate::track::Track;
 use crate::vehicle::{Axle, Body, Bogie, Suspension, Tread, VehicleModel, Wheelset};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -22,7 +24,8 @@ pub struct CaseInput {
     /// Layered ground, or the name of a library soil.
     pub soil: Option<Named<SoilInput>>,
     /// Springs instead of ground.
-    pub foundation: Option<FoundationInput>,
+    #[schemars(with = "Option<FoundationModel>")]
+    pub foundation: Option<Springs>,
     /// The track, or the name of a library track.
     pub track: Option<Named<TrackInput>>,
     /// The train, or the name of a library vehicle.
@@ -115,30 +118,6 @@ pub struct MaterialInput {
     pub damping_ratio_pressure: Option<f64>,
 }
 
-/// `[foundation]`: springs per metre of track.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct FoundationInput {
-    /// Which springs.
-    pub kind: FoundationKind,
-    /// k [N/m²]
-    pub stiffness: f64,
-    /// c [N s/m²]
-    #[serde(default)]
-    pub damping: f64,
-    /// η
-    #[serde(default)]
-    pub loss_factor: f64,
-}
-
-/// `foundation.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum FoundationKind {
-    /// Independent springs.
-    Winkler,
-}
-
 /// `[track]`, whole track: both rails.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -147,112 +126,14 @@ pub struct TrackInput {
     pub title: Option<String>,
     /// Library files only: source.
     pub source: Option<String>,
-    /// Which track.
-    pub kind: TrackKind,
-    /// Both rails (ballasted, slab).
-    pub rail: Option<BeamInput>,
-    /// Pads of both rails (ballasted, slab).
-    pub pad: Option<SpringInput>,
-    /// Sleepers (ballasted).
-    pub sleeper: Option<SleeperInput>,
-    /// Ballast (ballasted).
-    pub ballast: Option<BallastInput>,
-    /// The slab (slab).
-    pub slab: Option<BeamInput>,
-    /// The one beam (beam): rails, track and embankment together.
-    pub beam: Option<BeamInput>,
     /// Contact with the ground (all but none; not on springs).
     pub contact: Option<Strip>,
     /// How each axle presses on the ground (none).
     pub load: Option<LoadInput>,
-}
-
-/// `track.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum TrackKind {
-    /// Rails, pads, sleepers, ballast.
-    Ballasted,
-    /// Rails, pads, slab.
-    Slab,
-    /// One beam.
-    Beam,
-    /// Axles straight on the ground.
-    None,
-}
-
-/// A beam along the track.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BeamInput {
-    /// EI [N m²]
-    pub bending_stiffness: f64,
-    /// [kg/m]
-    pub mass: f64,
-    /// η of EI
-    #[serde(default)]
-    pub loss_factor: f64,
-}
-
-/// `track.pad`
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct SpringInput {
-    /// k [N/m²]
-    pub stiffness: f64,
-    /// c [N s/m²]
-    #[serde(default)]
-    pub damping: f64,
-    /// η
-    #[serde(default)]
-    pub loss_factor: f64,
-}
-
-/// `track.sleeper`
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct SleeperInput {
-    /// [kg/m]
-    pub mass: f64,
-}
-
-/// `track.ballast`
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BallastInput {
-    /// Which model.
-    pub kind: BallastKind,
-    /// E_b [Pa] (bars)
-    pub young: Option<f64>,
-    /// h [m] (bars)
-    pub height: Option<f64>,
-    /// α (bars)
-    pub alpha: Option<f64>,
-    /// C_b [m/s] (bars), or density with poisson.
-    pub wave_speed: Option<f64>,
-    /// ρ_b [kg/m³] (bars): C_b = √(E_b/ρ_b), or from the constrained modulus with poisson.
-    pub density: Option<f64>,
-    /// ν_b (bars)
-    pub poisson: Option<f64>,
-    /// k_b [N/m²] (consistent-mass)
-    pub stiffness: Option<f64>,
-    /// m_b [kg/m] (consistent-mass)
-    pub mass: Option<f64>,
-    /// c_b [N s/m²] (consistent-mass)
-    pub damping: Option<f64>,
-    /// η
-    #[serde(default)]
-    pub loss_factor: f64,
-}
-
-/// `track.ballast.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum BallastKind {
-    /// Alves Costa: bars with wave motion.
-    Bars,
-    /// Sheng: springs with consistent mass.
-    ConsistentMass,
+    /// The track itself.
+    #[serde(rename = "$rest")]
+    #[schemars(flatten)]
+    pub track: Track,
 }
 
 /// `track.load`

@@ -60,12 +60,19 @@ impl Fault {
         self
     }
 
-    /// The same, where `names` are keys, or kinds, besides those it knows.
-    pub fn beside(mut self, names: &[&'static str]) -> Self {
-        let names = names.iter().filter(|name| !name.starts_with('$'));
+    /// The same, where the table has the `keys` besides those it knows.
+    pub fn beside_keys(mut self, keys: &[&'static str]) -> Self {
         match &mut self.what {
-            What::Key { allowed, .. } if self.path.is_empty() => allowed.extend(names),
-            What::Name { allowed, .. } if self.path == KIND => allowed.extend(names),
+            What::Key { allowed, .. } if self.path.is_empty() => allowed.extend(plain(keys)),
+            _ => {}
+        }
+        self
+    }
+
+    /// The same, where `kind` may be one of `kinds` besides those it knows.
+    pub fn beside_kinds(mut self, kinds: &[&'static str]) -> Self {
+        match &mut self.what {
+            What::Name { allowed, .. } if self.path == KIND => allowed.extend(plain(kinds)),
             _ => {}
         }
         self

@@ -243,7 +243,7 @@ impl<'de> Deserializer<'de> for Node<'de> {
                 let name: &str = name;
                 if variants.contains(&OTHER) && !variants.contains(&name) {
                     let other = visitor.visit_enum(Variant { name: OTHER, fields: self });
-                    return other.map_err(|fault| fault.beside(variants));
+                    return other.map_err(|fault| fault.beside_kinds(variants));
                 }
                 let fields = keys.iter().filter(|(key, _)| *key != KIND).copied().collect();
                 visitor.visit_enum(Variant { name, fields: Self::Table(fields) }).map_err(|fault| match fault
@@ -306,7 +306,7 @@ impl<'de> MapAccess<'de> for Keys<'de> {
             return Node::of(value).and_then(|node| seed.deserialize(node)).map_err(|fault| fault.below(key));
         }
         let rest = self.rest.take().unwrap_or_default();
-        seed.deserialize(Node::Table(rest)).map_err(|fault| fault.beside(self.known))
+        seed.deserialize(Node::Table(rest)).map_err(|fault| fault.beside_keys(self.known))
     }
 }
 
