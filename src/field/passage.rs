@@ -143,7 +143,7 @@ impl TrackOnFoundation<'_> {
             speed,
             beta: Vec::new(),
             spectrum: Vec::new(),
-            converged: converged.get() && table.converged && estimate.converged && spectrum.converged(),
+            converged: converged.get() && table.converged() && estimate.converged && spectrum.converged(),
         };
         for panel in integral.into_panels() {
             for i in 0..15 {

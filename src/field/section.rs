@@ -101,7 +101,7 @@ impl Section {
             transfers.push(table);
             reach.push(top);
         }
-        let tables = compliance.converged && transfers.iter().all(|table| table.converged);
+        let tables = compliance.converged() && transfers.iter().all(Interpolant::converged);
         Self { transfers, reach, converged: tables && converged.get() }
     }
 

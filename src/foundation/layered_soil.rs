@@ -5,7 +5,7 @@ use crate::math::interpolation::{Interpolant, NODES};
 use crate::quantity::positive;
 use crate::soil::{GroundSolver, PreparedGround, Profile, SoilError, Solver, Strip};
 use num_complex::Complex64;
-use std::cell::RefCell;
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -15,6 +15,10 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 const MOVING_ACCURACY: f64 = 2e-3;
 /// Ends, as ln(ω b/c_s), of the pieces on which one set of thin layers serves; one unit wide from there on.
 const ENDS: [f64; 4] = [-19.0, -8.0, -4.5, -2.5];
+
+/// Evaluations of G after which a line is refined no further: ground that hardly damps asks for ever more of them as the load outruns its
+/// waves. A line of the paper's ground takes 5e4, one of the four layers of `laws::light_damping` at 109.6 m/s 1e7.
+const MOST: usize = 3_000_000;
 
 /// Grounds that were dear to prepare, by frequency, wavenumbers and accuracy.
 type Prepared = HashMap<(u64, u64, u64, u64), Arc<Kept>>;
@@ -158,6 +162,7 @@ impl Foundation for LayeredSoil {
             value: 1.0 / estimate.value,
             relative_error: estimate.error / estimate.value.norm(),
             converged: estimate.converged,
+            count: estimate.count,
         })
     }
 
@@ -172,13 +177,9 @@ impl Foundation for LayeredSoil {
         allowed: &dyn Fn(f64, Complex64) -> f64,
     ) -> Result<Moving<'_>, FoundationError> {
         self.check(speed.abs())?;
-        let mut converged = true;
-        // each integral as well as its neighbour needed it: a tenth of the error allowed there
-        let mut relative: f64 = if self.solver.has_modes() { 1e-2 } else { 1e-6 };
         // no more is asked of thin layers than their own accuracy is worth, and nothing where the rail does not feel it
-        let (looser, loosest) = if self.solver.has_modes() { (1000.0, 1.0) } else { (1.0, 1e-3) };
-        // the first ground that cannot answer; nothing is computed after it
-        let failure: RefCell<Option<SoilError>> = RefCell::default();
+        let (first, looser, loosest) =
+            if self.solver.has_modes() { (1e-2, 1000.0, 1.0) } else { (1e-6, 1.0, 1e-3) };
         // x = ln β + shift, ln |ω| where modes are shared
         let shared = self.solver.has_modes() && speed != 0.0;
         let shift = if shared { speed.abs().ln() } else { 0.0 };
@@ -191,19 +192,12 @@ impl Foundation for LayeredSoil {
             let middle = middle.filter(|b| *b > low + 0.5 && *b < high - 0.5);
             std::iter::once(low).chain(middle).chain([high]).collect()
         };
-        let (mut piece, mut unfelt) = (0, false);
-        let (mut value, mut last) = (Complex64::ONE, Complex64::ONE);
-        let compliances = |nodes: &[f64; NODES]| {
+        let (mut converged, count) = (true, Cell::new(0));
+        let mut known = Known::default();
+        let compliances = |nodes: &[f64; NODES]| -> Result<[Complex64; NODES], SoilError> {
             let (band, highest) = if shared {
                 let above = points.partition_point(|end| *end < nodes[0]).clamp(1, points.len() - 1);
                 let (low, high) = (points[above - 1], points[above]);
-                if piece != above {
-                    (piece, last, unfelt) = (above, value, relative >= 0.1);
-                }
-                if unfelt {
-                    // an error as large as the value is borne: the last one will do
-                    return [last; NODES];
-                }
                 (Some((low.exp(), high.exp())), (high - shift).exp())
             } else {
                 (None, to)
@@ -213,38 +207,50 @@ impl Foundation for LayeredSoil {
             if shared {
                 nodes.iter().for_each(|x| self.begin(omega(*x), wavenumbers, MOVING_ACCURACY, band));
             }
-            nodes.map(|x| {
-                if failure.borrow().is_some() {
-                    return Complex64::ONE;
-                }
-                let ground = match self.prepare(omega(x), wavenumbers, MOVING_ACCURACY, band) {
-                    Ok(ground) => ground,
-                    Err(error) => {
-                        failure.replace(Some(error));
-                        return Complex64::ONE;
-                    }
-                };
+            let mut values = [Complex64::ONE; NODES];
+            for (x, value) in nodes.iter().zip(&mut values) {
+                let ground = self.prepare(omega(*x), wavenumbers, MOVING_ACCURACY, band)?;
                 let beta = (x - shift).exp();
-                let estimate = ground.strip(beta, self.strip, relative);
-                converged &= estimate.converged;
-                let bearable = allowed(beta, 1.0 / estimate.value) / estimate.value.norm();
-                relative = (0.1 * bearable).clamp(1e-8, loosest);
-                value = estimate.value;
-                value
-            })
-        };
-        let interpolant = Interpolant::new(compliances, &points, |x, value| {
-            if failure.borrow().is_some() {
-                f64::INFINITY
-            } else {
-                looser * allowed((x - shift).exp(), 1.0 / value)
+                // as well as its neighbours needed it, and once more where that was not enough: a tenth of the error allowed there
+                let mut relative = known.near(*x).unwrap_or(first);
+                loop {
+                    let estimate = ground.strip(beta, self.strip, relative);
+                    count.set(count.get() + estimate.count);
+                    let bearable = allowed(beta, 1.0 / estimate.value) / estimate.value.norm();
+                    let wanted = (0.1 * bearable).clamp(1e-8, loosest);
+                    *value = estimate.value;
+                    if wanted >= 0.1 * relative || !estimate.converged {
+                        converged &= estimate.converged;
+                        known.insert(*x, wanted);
+                        break;
+                    }
+                    relative = wanted;
+                }
             }
-        });
-        if let Some(error) = failure.into_inner() {
-            return Err(error.into());
-        }
-        converged &= interpolant.converged;
-        let stiffness = move |beta: f64| -> Complex64 { 1.0 / interpolant.at(beta.ln() + shift) };
-        Ok(Moving { stiffness: Box::new(stiffness), converged })
+            Ok(values)
+        };
+        let bearable = |x: f64, value| looser * allowed((x - shift).exp(), 1.0 / value);
+        let table = Interpolant::bounded(compliances, &points, bearable, || count.get() < MOST)?;
+        let (worst, count) = (table.worst, count.get());
+        let stiffness = move |beta: f64| -> Complex64 { 1.0 / table.at(beta.ln() + shift) };
+        Ok(Moving { stiffness: Box::new(stiffness), converged: converged && worst <= 1.0, worst, count })
+    }
+}
+
+/// What relative accuracy was wanted where.
+#[derive(Default)]
+struct Known(Vec<(f64, f64)>);
+
+impl Known {
+    /// The finer of the neighbours of `x`; None where there are none.
+    fn near(&self, x: f64) -> Option<f64> {
+        let above = self.0.partition_point(|known| known.0 < x);
+        let below = above.checked_sub(1).and_then(|i| self.0.get(i));
+        below.into_iter().chain(self.0.get(above)).map(|known| known.1).min_by(f64::total_cmp)
+    }
+
+    fn insert(&mut self, x: f64, wanted: f64) {
+        let above = self.0.partition_point(|known| known.0 < x);
+        self.0.insert(above, (x, wanted));
     }
 }

@@ -74,6 +74,8 @@ pub struct Stiffness {
     pub relative_error: f64,
     /// False where the wanted accuracy was not reached.
     pub converged: bool,
+    /// Evaluations of the ground it took.
+    pub count: usize,
 }
 
 /// k along ω = −βv for one speed, for any β > 0.
@@ -82,6 +84,10 @@ pub struct Moving<'a> {
     pub stiffness: Box<dyn Fn(f64) -> Complex64 + Send + Sync + 'a>,
     /// False where the wanted accuracy was not reached somewhere.
     pub converged: bool,
+    /// Error over what was allowed, where it is largest: at most 1 where the accuracy was reached everywhere.
+    pub worst: f64,
+    /// Evaluations of the ground it took.
+    pub count: usize,
 }
 
 /// A foundation.

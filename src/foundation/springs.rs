@@ -51,7 +51,12 @@ impl TryFrom<FoundationModel> for Springs {
 
 impl Foundation for Springs {
     fn stiffness_to(&self, beta: f64, omega: f64, _relative: f64) -> Result<Stiffness, FoundationError> {
-        Ok(Stiffness { value: self.at((beta * beta).into(), omega), relative_error: 0.0, converged: true })
+        Ok(Stiffness {
+            value: self.at((beta * beta).into(), omega),
+            relative_error: 0.0,
+            converged: true,
+            count: 0,
+        })
     }
 
     fn moving(
@@ -62,7 +67,7 @@ impl Foundation for Springs {
         _allowed: &dyn Fn(f64, Complex64) -> f64,
     ) -> Result<Moving<'_>, FoundationError> {
         let along = move |beta: f64| self.at((beta * beta).into(), -beta * speed);
-        Ok(Moving { stiffness: Box::new(along), converged: true })
+        Ok(Moving { stiffness: Box::new(along), converged: true, worst: 0.0, count: 0 })
     }
 }
 

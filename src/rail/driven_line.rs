@@ -2,7 +2,7 @@
 
 use super::TrackOnFoundation;
 use super::harmonic_load::ACCURACY;
-use super::moving_load::{BETA_CAP, BETA_MIN};
+use super::moving_load::{BETA_CAP, BETA_MIN, Quiet};
 use crate::foundation::FoundationError;
 use crate::math::interpolation::{Interpolant, NODES};
 use num_complex::Complex64;
@@ -82,7 +82,7 @@ impl TrackOnFoundation<'_> {
         });
         match failure {
             Some(error) => Err(error),
-            None => Ok(DrivenLine { converged: converged && compliance.converged, compliance, unit }),
+            None => Ok(DrivenLine { converged: converged && compliance.converged(), compliance, unit }),
         }
     }
 
@@ -91,7 +91,7 @@ impl TrackOnFoundation<'_> {
         const RATIO: f64 = 1.5;
         let enough = self.enough();
         let (mut beta, mut extent, mut sum) = (0.01, 0.01, 0.0);
-        let mut last = None;
+        let (mut last, mut faded) = (None, Quiet::default());
         loop {
             let at = omega - beta * speed;
             let stiffness = match last {
@@ -106,7 +106,8 @@ impl TrackOnFoundation<'_> {
             if counts {
                 extent = RATIO * beta;
             }
-            if beta > enough || u.rail.norm() * beta < ACCURACY * sum {
+            faded.step(beta, u.rail.norm() * beta < ACCURACY * sum);
+            if beta > enough || faded.since().is_some() {
                 return Ok((extent, sum));
             }
             beta *= RATIO;

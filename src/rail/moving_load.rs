@@ -44,6 +44,8 @@ pub struct MovingLoad {
     base: Vec<Complex64>,
     /// False where a tolerance was not met.
     pub converged: bool,
+    /// Evaluations of the ground, bounded however little it damps: where that cut the work short, `converged` is false.
+    pub count: usize,
 }
 
 /// Displacements of rail and base at uniform positions, per unit load [m/N].
@@ -91,26 +93,62 @@ pub(crate) fn panels(beta_max: f64, reach: f64) -> Vec<f64> {
     points
 }
 
+/// How far a spectrum reaches.
+struct Extent {
+    /// The wavenumber [rad/m] beyond which ∫ |ũ| dβ ≈ |ũ|β/3 is below the accuracy.
+    end: f64,
+    /// The wavenumber [rad/m] beyond which the rail does not feel the foundation.
+    felt: f64,
+    /// ∫ |ũ| dβ
+    sum: f64,
+    /// Whether there is such an end.
+    bounded: bool,
+}
+
+/// Decides that something has become quiet by four quiet steps in a row: one, as at an antiresonance, says nothing.
+#[derive(Default)]
+pub(super) struct Quiet {
+    first: Option<f64>,
+    steps: usize,
+}
+
+impl Quiet {
+    /// The next step, at `beta`.
+    pub(super) fn step(&mut self, beta: f64, quiet: bool) {
+        if self.since().is_some() {
+            return;
+        }
+        self.steps = if quiet { self.steps + 1 } else { 0 };
+        self.first = if quiet { self.first.or(Some(beta)) } else { None };
+    }
+
+    /// Where it became quiet for good.
+    pub(super) fn since(&self) -> Option<f64> {
+        self.first.filter(|_| self.steps >= 4)
+    }
+}
+
 impl<'a> TrackOnFoundation<'a> {
     /// `stack` on `foundation`, each axle pressing over 2 × `half_length` [m] (0: a point, as on rails).
     pub fn new(stack: &'a Stack, foundation: &'a dyn Foundation, half_length: f64) -> Self {
         Self { stack, foundation, half_length }
     }
 
-    /// The largest wavenumber that matters [rad/m], beyond which ∫ |ũ| dβ ≈ |ũ|β/3 is below the accuracy, ∫ |ũ| dβ, and
-    /// whether there is such a wavenumber.
-    fn extent(&self, speed: f64) -> Result<(f64, f64, bool), InteractionError> {
+    /// How far the spectrum reaches at `speed` [m/s].
+    fn extent(&self, speed: f64) -> Result<Extent, InteractionError> {
         // in steps of ln ω that are the same at all speeds, so that foundations may keep what is dear at each ω
         const STEP: f64 = 0.25;
         let shift = if speed == 0.0 { 0.0 } else { speed.abs().ln() };
         // of an axle spread over 2a the spectrum falls slowly, but its signs change: sixty radians leave 1/60² of it
         let enough = if self.half_length > 0.0 { 60.0 / self.half_length } else { BETA_CAP };
-        let (mut sum, mut stiffness, mut felt) = (0.0, Complex64::ONE, true);
+        let (mut sum, mut stiffness) = (0.0, Complex64::ONE);
+        // at an antiresonance of what lies below, rail and foundation are quiet for a moment: the first of so many quiet steps in a row
+        let (mut unfelt, mut faded) = (Quiet::default(), Quiet::default());
         let mut step = ((0.05f64.ln() + shift) / STEP).round();
         loop {
             let (x, beta) = (step * STEP, (step * STEP - shift).exp());
             let omega = if speed == 0.0 { 0.0 } else { -speed.signum() * x.exp() };
-            if felt {
+            if unfelt.since().is_none() {
                 stiffness = self.foundation.stiffness_to(beta, omega, 1e-2)?.value;
             }
             // the envelope of the load's spectrum, not its zeros
@@ -119,9 +157,13 @@ impl<'a> TrackOnFoundation<'a> {
             let u = response.rail.norm() * load;
             sum += u * beta * STEP;
             // what the foundation adds to the rail's deflection, q²/k, q = k u_base the force handed down
-            felt = (response.base.norm_sqr() * stiffness.norm()) * beta > 0.1 * ACCURACY * sum;
-            if u * beta < 0.5 * ACCURACY * sum || beta > enough {
-                return Ok((beta, sum, beta <= BETA_CAP || self.half_length > 0.0));
+            let added = response.base.norm_sqr() * stiffness.norm();
+            unfelt.step(beta, added * beta <= 0.1 * ACCURACY * sum);
+            faded.step(beta, u * beta < 0.5 * ACCURACY * sum);
+            let bounded = beta <= BETA_CAP || self.half_length > 0.0;
+            if let Some(end) = faded.since().or((beta > enough).then_some(beta)) {
+                let felt = unfelt.first.unwrap_or(end).min(end);
+                return Ok(Extent { end, felt, sum, bounded });
             }
             step += 1.0;
         }
@@ -132,15 +174,22 @@ impl<'a> TrackOnFoundation<'a> {
     /// # Errors
     /// A foundation that cannot answer.
     pub fn spectrum(&self, speed: f64) -> Result<MovingSpectrum<'_>, InteractionError> {
-        let (beta_max, sum, bounded) = self.extent(speed)?;
+        let Extent { end, felt, sum, bounded } = self.extent(speed)?;
         // reciprocity: δu_rail = q² δ(1/k), q = k u_base the force handed down; its share of the integral is ∝ β in ln β
         let allowed = |beta: f64, stiffness: Complex64| {
             let q = stiffness * self.stack.respond(beta, -beta * speed, stiffness).base;
             ACCURACY * sum / (q.norm_sqr() * beta).max(f64::MIN_POSITIVE)
         };
-        let mut foundation = self.foundation.moving(speed, BETA_MIN, beta_max, &allowed)?;
+        let mut foundation = self.foundation.moving(speed, BETA_MIN, felt, &allowed)?;
         foundation.converged &= bounded;
-        Ok(MovingSpectrum { stack: self.stack, half_length: self.half_length, foundation, speed, beta_max })
+        Ok(MovingSpectrum {
+            stack: self.stack,
+            half_length: self.half_length,
+            foundation,
+            felt,
+            speed,
+            beta_max: end,
+        })
     }
 
     /// The response to a unit load at `speed` [m/s] for positions with |x′| ≤ `reach` [m].
@@ -168,6 +217,7 @@ impl<'a> TrackOnFoundation<'a> {
             rail: Vec::new(),
             base: Vec::new(),
             converged: estimate.converged && spectrum.foundation.converged,
+            count: spectrum.foundation.count,
         };
         for panel in integral.into_panels() {
             for i in 0..15 {
@@ -186,6 +236,8 @@ pub struct MovingSpectrum<'a> {
     stack: &'a Stack,
     half_length: f64,
     foundation: Moving<'a>,
+    /// Beyond it [rad/m] the rail does not feel the foundation, and its last value serves.
+    felt: f64,
     speed: f64,
     /// Beyond it [rad/m] nothing matters.
     pub beta_max: f64,
@@ -193,7 +245,7 @@ pub struct MovingSpectrum<'a> {
 
 impl MovingSpectrum<'_> {
     fn respond(&self, beta: f64) -> (Displacements, Complex64) {
-        let stiffness = (self.foundation.stiffness)(beta.max(BETA_MIN));
+        let stiffness = (self.foundation.stiffness)(beta.clamp(BETA_MIN, self.felt));
         let load = sinc(beta * self.half_length);
         let u = self.stack.respond(beta, -beta * self.speed, stiffness);
         (Displacements { rail: u.rail * load, base: u.base * load }, stiffness)

@@ -15,6 +15,7 @@ pub mod flexibility;
 pub mod half_space;
 mod layer_stiffness;
 mod material;
+pub mod off_axis;
 mod profile;
 pub mod sampled;
 pub mod strip;

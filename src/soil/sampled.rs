@@ -42,7 +42,7 @@ impl Sampled {
 impl Sampled {
     /// An integral is no better than the table: of unknown error where that missed its accuracy.
     fn of_table(&self, estimate: Estimate) -> Estimate {
-        if self.table.converged {
+        if self.table.converged() {
             estimate
         } else {
             Estimate { error: f64::INFINITY, converged: false, ..estimate }
@@ -118,7 +118,7 @@ mod tests {
         let material = Material::new(elastic, 1800.0, 1e-13, 1e-13).unwrap();
         let profile = Profile::new(vec![Layer { thickness: 5.0, material }], Base::Rigid).unwrap();
         let ground = Sampled::new(DirectStiffness.prepare(&profile, 300.0, &[]).unwrap(), 30.0);
-        assert!(!ground.table.converged);
+        assert!(!ground.table.converged());
         let strip = Strip { half_width: 1.25, compatibility: strip::Compatibility::Mean };
         let one = [ground.strip(0.5, strip, 1e-3), ground.receiver(0.5, 1.25, 8.0, 1e-3)];
         let many = ground.receivers(0.5, 1.25, &[8.0, 16.0], 1e-3);

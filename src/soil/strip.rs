@@ -101,7 +101,7 @@ impl Outline {
 ///
 /// From ∫₀^∞ cos(yx)/κ dy = K₀(β_c x) and ∫₀^∞ cos(yx)/κ³ dy = (x/β_c) K₁(β_c x), averaged over the strip
 /// (centre: x from 0 to b; mean: (2b − x) over 0 to 2b). Test: `tests::tail_integrals`.
-fn tail_integrals(beta_c: f64, strip: Strip) -> (f64, f64) {
+pub(super) fn tail_integrals(beta_c: f64, strip: Strip) -> (f64, f64) {
     let b = strip.half_width;
     match strip.compatibility {
         Compatibility::Centre => {

@@ -255,7 +255,14 @@ impl Waves {
         (t, scale)
     }
 
-    /// G_zz = m_wt/m_tr and its like.
+    /// G_zz = m_wt/m_tr
+    #[inline]
+    pub fn u_zz(&self, k: Complex64) -> Complex64 {
+        let (minors, _) = self.in_plane(k);
+        minors.0[3] / minors.0[4]
+    }
+
+    /// G_zz and its like.
     fn surface(&self, k: f64) -> (Matrix2<Complex64>, Complex64) {
         let (minors, _) = self.in_plane(Complex64::from(k));
         let [_, ut, ur, wt, tr] = minors.0;
@@ -314,8 +321,7 @@ impl PreparedGround for TransferMatrixAt {
 
     #[inline]
     fn u_zz(&self, k: f64) -> Complex64 {
-        let (minors, _) = self.waves.in_plane(Complex64::from(k));
-        let g = minors.0[3] / minors.0[4];
+        let g = self.waves.u_zz(Complex64::from(k));
         if self.negative { g.conj() } else { g }
     }
 

@@ -9,6 +9,7 @@ mod agreement;
 mod dispersion;
 mod draw;
 mod ground;
+mod light_damping;
 mod moving;
 mod springs;
 mod strip;

@@ -351,6 +351,3 @@ impl<'de> VariantAccess<'de> for Variant<'de> {
         self.fields.deserialize_struct("", fields, visitor).map_err(|fault| fault.of(self.name))
     }
 }
-
-#[cfg(test)]
-mod tests;
