@@ -44,6 +44,7 @@
 //! | `damping_ratio` | ξ | η/2 | 1 |
 //! | `damping` | c | viscous damping, k + iωc | N s/m² |
 //! | `bending_stiffness` | EI | of a beam | N m² |
+//! | `shear`, `tension` | G, T | of a shear layer, a membrane: G β² | N |
 //! | `half_width` | b | half the contact width | m |
 //! | `alpha` | α | share of the contact width that carries the ballast | 1 |
 //! | `wave_speed` | C_b | of compression waves in the ballast | m/s |
