@@ -138,12 +138,19 @@ impl Slow {
     }
 }
 
+/// What knows h along β = ω/v.
+enum Along<'a> {
+    Slow(Slow),
+    Fast(&'a Sections),
+}
+
 impl Energies {
-    /// Of the axle loads alone: ∫ 2ω² |h|² |Σ P_i e^{−iωa_i/v}|²/v² df, sampled as finely as the phases turn.
+    /// Of the axle loads alone: ∫ 2ω² |h|² |Σ P_i e^{−iωa_i/v}|²/v² df, sampled as finely as the phases turn; `fast`
+    /// are the sections that answer where the loads outrun a wave, None where they are slower than all of them.
     ///
     /// # Errors
     /// A ground that cannot answer.
-    pub fn quasi_static(pass: &Pass, sections: &Sections) -> Result<Self, StudyError> {
+    pub fn quasi_static(pass: &Pass, fast: Option<&Sections>) -> Result<Self, StudyError> {
         let study = pass.study;
         let Ground { profile, solver, .. } = pass.railway.ground()?;
         let (Some(first), Some(last)) = (study.bands.first(), study.bands.last()) else {
@@ -155,19 +162,23 @@ impl Energies {
                 converged: true,
             });
         };
-        let slow = if study.speed < profile.slowest_rayleigh_speed() {
-            Some(Slow::new(pass, (profile, super::pointwise(*solver)), (first.lower(), last.upper()))?)
-        } else {
-            None
+        let along = match fast {
+            Some(sections) => Along::Fast(sections),
+            None => {
+                let range = (first.lower(), last.upper());
+                Along::Slow(Slow::new(pass, (profile, super::pointwise(*solver)), range)?)
+            }
         };
-        let converged = slow.as_ref().is_none_or(|slow| slow.converged);
+        let converged = !matches!(&along, Along::Slow(slow) if !slow.converged);
         let squares = |f: f64| -> Vec<f64> {
             let receivers = 0..study.receivers.len();
-            if let Some(slow) = &slow {
-                return receivers.map(|r| slow.square(r, f)).collect();
+            match &along {
+                Along::Slow(slow) => receivers.map(|r| slow.square(r, f)).collect(),
+                Along::Fast(sections) => {
+                    let ground = sections.at(TAU * f);
+                    receivers.map(|r| ground.transfer(r, TAU * f / study.speed).norm_sqr()).collect()
+                }
             }
-            let ground = sections.at(TAU * f);
-            receivers.map(|r| ground.transfer(r, TAU * f / study.speed).norm_sqr()).collect()
         };
         let mut energies = Array2::zeros((study.receivers.len(), study.bands.len()));
         for (b, band) in study.bands.iter().enumerate() {

@@ -164,62 +164,30 @@ impl FreeField {
         let passage_time = self.passage_time.unwrap_or((train.length() + 2.0 * self.farthest()) / self.speed);
         let pass = Pass { study: self, railway, train, strip, passage_time };
         let times = pass.times();
-        let (mut converged, mut followed) = (true, true);
-
         let Ground { profile, solver, .. } = railway.ground()?;
         // each β along ω̃ − βv has its own ω
         let soil = LayeredSoil::new(profile.clone(), pointwise(*solver), strip)?;
         let track = TrackOnFoundation::new(railway.stack(), &soil, 0.0);
-        let solver = pass.ground()?.1;
         let quasi_static = pass.quasi_static(&track, times, observer)?;
-        converged &= quasi_static.converged;
-        let sections = pass.sections(times, observer)?;
-        converged &= sections.converged;
-
-        let mut energies = bands::Energies::quasi_static(&pass, &sections)?;
-        converged &= energies.converged;
-        let mut histories = vec![quasi_static.velocity.clone()];
-        let mut driven = Vec::new();
-        if let Some(roughness) = &self.roughness {
-            let contact = vec![roughness.contact; roughness.bodies.wheelset_count()];
-            let wheels =
-                WheelRail { track: &track, bodies: &roughness.bodies, contact: &contact, speed: self.speed };
-            // shorter waves make nothing that reaches a receiver within the bands: |Ω − ω/v| is too large
-            let highest = self.bands.iter().map(|band| band.upper()).fold(0.0, f64::max);
-            let heard = TAU * highest / self.speed + sections.reach();
-            let range = roughness.irregularity.wavenumbers();
-            let range = (range.0, range.1.min(heard).max(range.0));
-            let mut forces = ContactForces::new(&wheels, range, observer)?;
-            if let Irregularity::Given { profile, carrier: Carrier::Wheels { seed }, .. } =
-                &roughness.irregularity
-            {
-                let starts = random_starts(roughness.bodies.wheelset_count(), profile.repeat_length(), *seed);
-                forces = forces.on_profiles_of_their_own(starts);
+        // loads slower than the waves on a smooth rail ask for β = ω/v alone, of the exact ground
+        let fast = self.speed >= profile.slowest_rayleigh_speed();
+        let sections =
+            if fast || self.roughness.is_some() { Some(pass.sections(times, observer)?) } else { None };
+        let energies = bands::Energies::quasi_static(&pass, sections.as_ref().filter(|_| fast))?;
+        let met = sections.as_ref().is_none_or(|sections| sections.converged);
+        let converged = quasi_static.converged && met && energies.converged;
+        let smooth = Shaken {
+            energies,
+            histories: vec![quasi_static.velocity.clone()],
+            driven: Vec::new(),
+            followed: true,
+        };
+        let Shaken { energies, histories, driven, followed } = match (&self.roughness, &sections) {
+            (Some(roughness), Some(sections)) => {
+                pass.shaken(smooth, roughness, (&track, sections), times, observer)?
             }
-            followed = forces.converged;
-            let profiles = pass.profiles(&roughness.irregularity, TAU / range.1, times)?;
-            histories = pass
-                .dynamic(&sections, &forces, &profiles, times, observer)
-                .into_iter()
-                .map(|dynamic| dynamic + &quasi_static.velocity)
-                .collect();
-            driven = match &roughness.irregularity {
-                Irregularity::Random { spectrum, wavelengths, .. } => {
-                    let wavelengths = (TAU / range.1, wavelengths.1);
-                    let components = pass.components(spectrum, wavelengths, &forces);
-                    energies.add_expected(&pass, &sections, &components, observer);
-                    components.into_iter().map(|c| c.driven(self.speed)).collect()
-                }
-                Irregularity::Given { .. } => {
-                    energies.add_given(&pass, &histories[0], &quasi_static.velocity, times)?;
-                    let force = |c: &crate::irregularity::Component| Driven {
-                        frequency: c.wavenumber * self.speed / TAU,
-                        force: c.amplitude * forces.at(c.wavenumber)[0].norm(),
-                    };
-                    profiles[0].components().iter().map(force).collect()
-                }
-            };
-        }
+            _ => smooth,
+        };
         let metrics = metrics::Metrics::of(&histories, times)?;
         let answer = Answered {
             pass: &pass,
@@ -229,7 +197,7 @@ impl FreeField {
             times,
             metrics,
             driven,
-            sections: solver.name(),
+            sections: pass.ground()?.1.name(),
         };
         let mut concerns = self.concerns(railway);
         concerns.extend(answer.concerns());
@@ -297,6 +265,16 @@ impl FreeField {
     }
 }
 
+/// What shakes the ground, and how strongly: of a smooth rail, or of a rough one.
+struct Shaken {
+    energies: bands::Energies,
+    /// Total velocity [m/s] of each profile, receivers × times.
+    histories: Vec<ndarray::Array2<f64>>,
+    driven: Vec<Driven>,
+    /// False where the contact forces are not known well enough.
+    followed: bool,
+}
+
 /// Force of the leading wheelset at one driving frequency.
 struct Driven {
     /// f̃ = Ωv/2π [Hz]
@@ -320,6 +298,56 @@ struct Answered<'a> {
 }
 
 impl Pass<'_> {
+    /// What wheels on a rough rail add to the `smooth` one.
+    fn shaken(
+        &self,
+        smooth: Shaken,
+        roughness: &Roughness,
+        (track, sections): (&TrackOnFoundation, &Sections),
+        times: passes::Times,
+        observer: &dyn Observer,
+    ) -> Result<Shaken, StudyError> {
+        let speed = self.study.speed;
+        let contact = vec![roughness.contact; roughness.bodies.wheelset_count()];
+        let wheels = WheelRail { track, bodies: &roughness.bodies, contact: &contact, speed };
+        // shorter waves make nothing that reaches a receiver within the bands: |Ω − ω/v| is too large
+        let highest = self.study.bands.iter().map(|band| band.upper()).fold(0.0, f64::max);
+        let heard = TAU * highest / speed + sections.reach();
+        let (least, most) = roughness.irregularity.wavenumbers();
+        let range = (least, most.min(heard).max(least));
+        let mut forces = ContactForces::new(&wheels, range, observer)?;
+        if let Irregularity::Given { profile, carrier: Carrier::Wheels { seed }, .. } =
+            &roughness.irregularity
+        {
+            let starts = random_starts(roughness.bodies.wheelset_count(), profile.repeat_length(), *seed);
+            forces = forces.on_profiles_of_their_own(starts);
+        }
+        let profiles = self.profiles(&roughness.irregularity, TAU / range.1, times)?;
+        let Shaken { mut energies, histories: quasi_static, .. } = smooth;
+        let histories: Vec<_> = self
+            .dynamic(sections, &forces, &profiles, times, observer)
+            .into_iter()
+            .map(|dynamic| dynamic + &quasi_static[0])
+            .collect();
+        let driven = match &roughness.irregularity {
+            Irregularity::Random { spectrum, wavelengths, .. } => {
+                let wavelengths = (TAU / range.1, wavelengths.1);
+                let components = self.components(spectrum, wavelengths, &forces);
+                energies.add_expected(self, sections, &components, observer);
+                components.into_iter().map(|c| c.driven(speed)).collect()
+            }
+            Irregularity::Given { .. } => {
+                energies.add_given(self, &histories[0], &quasi_static[0], times)?;
+                let force = |c: &crate::irregularity::Component| Driven {
+                    frequency: c.wavenumber * speed / TAU,
+                    force: c.amplitude * forces.at(c.wavenumber)[0].norm(),
+                };
+                profiles[0].components().iter().map(force).collect()
+            }
+        };
+        Ok(Shaken { energies, histories, driven, followed: forces.converged })
+    }
+
     /// Sections of the ground from the lowest frequency of the histories to the upper end of the bands.
     fn sections(&self, times: passes::Times, observer: &dyn Observer) -> Result<Sections, StudyError> {
         let (profile, solver) = self.ground()?;
