@@ -10,9 +10,10 @@ use groundwave::foundation::LayeredSoil;
 use groundwave::irregularity::{FraBreakWavenumber, Spectrum};
 use groundwave::progress::Silent;
 use groundwave::rail::TrackOnFoundation;
+use groundwave::railway::{Contact, Ground, Railway, Support};
 use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Solver, Strip, ThinLayer};
-use groundwave::study::{Contact, FreeField, Irregularity, Model, Roughness, Support};
-use groundwave::track::{Ballast, Ballasted, Link, Member, Stack};
+use groundwave::study::{FreeField, Irregularity, Roughness};
+use groundwave::track::{Ballast, Ballasted, Link, Member, Sleeper, Stack};
 use groundwave::vehicle::{Axle, FourAxle, Multibody, Suspension, Train};
 use std::f64::consts::TAU;
 
@@ -28,7 +29,7 @@ fn stack() -> Stack {
     let rail = Member::beam(12.76e6, 120.46, 0.0).unwrap();
     let pad = Link::spring(7e8, 0.0, 0.15).unwrap();
     let ballast = Ballast::ConsistentMass { stiffness: 3.6e8, damping: 0.0, loss_factor: 1.0, mass: 1695.8 };
-    Ballasted { rail, pad, sleeper_mass: 490.0, ballast }.stack().unwrap()
+    Ballasted { rail, pad, sleeper: Sleeper { mass: 490.0 }, ballast }.stack(None).unwrap()
 }
 
 /// Baseline: a million evaluations of G, on one thread.
@@ -60,8 +61,10 @@ fn application3(bencher: Bencher, receivers: usize) {
         roughness: Some(roughness),
         sections: None,
     };
-    let support = Support::Ground(common::named("paper_layered"), Solver::ThinLayer(ThinLayer::default()));
-    let model = Model::new(support, Contact::Strip(STRIP), stack(), Some(train)).unwrap();
+    let thin = Solver::ThinLayer(ThinLayer::default());
+    let support =
+        Support::Ground(Ground::new(common::named("paper_layered"), thin, Some(Contact::Strip(STRIP))));
+    let model = Railway::new(support, stack(), Some(train)).unwrap();
     bencher.bench(|| study.run(&model, &Silent).unwrap());
 }
 
@@ -69,13 +72,9 @@ fn application3(bencher: Bencher, receivers: usize) {
 #[divan::bench(args = [1, 32], sample_count = 3)]
 fn contact_forces(bencher: Bencher, wheels: usize) {
     let vehicle = FourAxle {
-        body_mass: 47_800.0,
-        body_pitch_inertia: 1.957888e6,
-        bogie_centres: 17.375,
-        bogie_mass: 3500.0,
-        bogie_pitch_inertia: 1715.0,
-        wheelbase: 2.5,
-        wheelset_mass: 1800.0,
+        body: groundwave::vehicle::Body { mass: 47_800.0, pitch_inertia: 1.957888e6, bogie_centres: 17.375 },
+        bogie: groundwave::vehicle::Bogie { mass: 3500.0, pitch_inertia: 1715.0, wheelbase: 2.5 },
+        wheelset: groundwave::vehicle::Wheelset { mass: 1800.0 },
         primary: Suspension { stiffness: 2.4e6, damping: 20e3 },
         secondary: Suspension { stiffness: 0.7e6, damping: 40e3 },
     };

@@ -6,19 +6,20 @@ mod common;
 use common::STRIP;
 use divan::Bencher;
 use groundwave::progress::Silent;
+use groundwave::railway::{Contact, Ground, Railway, Support};
 use groundwave::soil::{DirectStiffness, GroundSolver, Solver, ThinLayer};
-use groundwave::study::{Contact, CriticalSpeed, Model, Support};
+use groundwave::study::CriticalSpeed;
 use groundwave::vehicle::{Axle, Train};
 
 fn main() {
     divan::main();
 }
 
-fn model(axles: usize, solver: Solver) -> Model {
-    let support = Support::Ground(common::named("paper_layered"), solver);
+fn model(axles: usize, solver: Solver) -> Railway {
+    let support =
+        Support::Ground(Ground::new(common::named("paper_layered"), solver, Some(Contact::Strip(STRIP))));
     let axles = (0..axles).map(|i| Axle { position: 2.9 * i as f64, load: 150e3 }).collect();
-    Model::new(support, Contact::Strip(STRIP), common::tracks::ballasted(), Some(Train::new(axles).unwrap()))
-        .unwrap()
+    Railway::new(support, common::tracks::ballasted(), Some(Train::new(axles).unwrap())).unwrap()
 }
 
 /// Baseline: a million evaluations of G, on one thread.

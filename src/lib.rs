@@ -9,6 +9,7 @@
 //! | rank | module | what |
 //! |---|---|---|
 //! | 0 | [`math`] | quadrature, Fourier transforms with their signs and scales, interpolation, maxima |
+//! | 0 | [`columns`] | two columns of lengths from a CSV file, in the units of its header |
 //! | 0 | [`memory`] | how much is free |
 //! | 0 | [`quantity`] | numbers that must lie in their range, by their keys in case files |
 //! | 0 | [`concern`], [`dataset`], [`figure`], [`progress`] | what studies hand on: doubts, arrays, pictures, progress |
@@ -53,6 +54,7 @@
 
 pub mod assessment;
 pub mod case;
+pub mod columns;
 pub mod concern;
 pub mod contact;
 pub mod dataset;
@@ -66,6 +68,7 @@ pub mod output;
 pub mod progress;
 pub mod quantity;
 pub mod rail;
+pub mod railway;
 pub mod signal;
 pub mod soil;
 pub mod study;
@@ -74,13 +77,14 @@ pub mod vehicle;
 
 pub use case::Case;
 pub use concern::Concern;
-pub use foundation::{Foundation, LayeredSoil, Winkler};
+pub use foundation::{Foundation, FoundationModel, LayeredSoil, Springs};
 pub use irregularity::{Realisation, Spectrum};
 pub use progress::{Observer, Silent};
 pub use rail::TrackOnFoundation;
+pub use railway::{Ground, Railway};
 pub use soil::{
     Base, Compatibility, DirectStiffness, Elastic, GroundSolver, Layer, Material, Profile, Solver, Strip,
 };
-pub use study::{Model, Outcome, Study};
-pub use track::{Ballast, Ballasted, Link, Member, Slab, Stack};
+pub use study::{Outcome, Study};
+pub use track::{Ballast, Ballasted, Link, Member, Slab, Sleeper, Stack, Track};
 pub use vehicle::{Axle, Train};

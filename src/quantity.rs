@@ -39,9 +39,16 @@ impl fmt::Display for Bound {
     }
 }
 
-/// A number out of its range.
+/// Ends the key that `{:#}` puts in front of what a constructor refuses, so that a reader of files finds its place.
+pub const KEY_ENDS: char = '\u{1f}';
+
+/// `error`, about the value at `key` of the table that is read.
+pub fn keyed(key: &str, error: impl fmt::Display) -> String {
+    format!("{key}{KEY_ENDS}{error}")
+}
+
+/// A number out of its range. Its `{:#}` is that of [`keyed`].
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
-#[error("{key} is {value}{gap}{unit}: it must {bound}", gap = if unit.is_empty() { "" } else { " " })]
 pub struct OutOfRange {
     /// What it is, as a case file spells it within the table of the one who refuses it: `bending_stiffness`, `body.mass`.
     pub key: &'static str,
@@ -51,6 +58,17 @@ pub struct OutOfRange {
     pub unit: &'static str,
     /// What it must be.
     pub bound: Bound,
+}
+
+impl fmt::Display for OutOfRange {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { key, value, unit, bound } = self;
+        if f.alternate() {
+            write!(f, "{key}{KEY_ENDS}")?;
+        }
+        let gap = if unit.is_empty() { "" } else { " " };
+        write!(f, "{key} is {value}{gap}{unit}: it must {bound}")
+    }
 }
 
 fn within(key: &'static str, value: f64, unit: &'static str, bound: Bound) -> Result<f64, OutOfRange> {

@@ -97,13 +97,36 @@ fn settings_out_of_reach_are_refused() {
             ": 8 would",
         ],
     );
+    refused(
+        &solver("solver.elment = \"cubic\""),
+        &[
+            "case.toml:",
+            "soil.solver.elment",
+            "of kind = \"thin-layer\"",
+            "did you mean `element`?",
+            "half_space, verify",
+        ],
+    );
+    refused(
+        &solver("solver.element = 3"),
+        &["soil.solver.element", "the number 3", "linear, quadratic, cubic"],
+    );
+    refused(
+        &with_layers("solver.verify = { kind = \"thin-layer\", accuracy = \"high\" }"),
+        &["case.toml:", "soil.solver.verify.accuracy", "the text \"high\"", "wanted a number"],
+    );
+    refused(
+        &with_layers("solver.accuracy = 1e-6"),
+        &["soil.solver", "missing key `kind`", "direct-stiffness, transfer-matrix, flexibility"],
+    );
     refused(&solver("solver.accuracy = 0.5"), &["soil.solver.accuracy", "0.5", "between 1e-9 and 0.1"]);
     refused(
         &with_layers("solver.kind = \"direct-stiffness\"\nsolver.element = \"cubic\""),
         &[
+            "case.toml:",
             "soil.solver.element",
-            "belongs to the thin-layer solver, not to direct-stiffness",
-            "remove the key",
+            "unknown key `element` of kind = \"direct-stiffness\"",
+            "allowed: verify",
         ],
     );
 }

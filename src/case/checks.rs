@@ -2,6 +2,7 @@
 
 use super::error::Finding;
 use super::schema::SpanInput;
+use crate::study::tag;
 
 /// Farthest position a case may ask for [m].
 pub const FARTHEST: f64 = 10_000.0;
@@ -28,4 +29,36 @@ pub fn span(input: SpanInput, path: &str) -> Result<(f64, f64), Finding> {
         return Err(Finding::new(path, message).help("positions are in metres"));
     }
     Ok((input.from, input.to))
+}
+
+/// Refuses speeds or frequencies that files and keys, which name them to 0.01 `unit`, could not tell apart.
+///
+/// # Errors
+/// The second of such a pair.
+pub fn distinct(values: &[f64], path: &str, unit: &str) -> Result<(), Finding> {
+    for (i, value) in values.iter().enumerate() {
+        if values[..i].iter().any(|other| tag(*other) == tag(*value)) {
+            return Err(Finding::new(
+                format!("{path}[{i}]"),
+                format!("{value} {unit} stands there twice, to 0.01 {unit}"),
+            )
+            .help("give each value once"));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses values that do not ascend.
+///
+/// # Errors
+/// The first that does not.
+pub fn ascending(values: &[f64], path: &str) -> Result<(), Finding> {
+    match values.windows(2).position(|pair| pair[1] <= pair[0]) {
+        Some(i) => Err(Finding::new(
+            format!("{path}[{}]", i + 1),
+            format!("{} follows {}: the values must ascend", values[i + 1], values[i]),
+        )
+        .help("sort the list, each value once")),
+        None => Ok(()),
+    }
 }

@@ -20,9 +20,17 @@ pub enum CaseError {
         #[help]
         help: String,
     },
+    /// Several faults, in the order of their lines, those of the case before those of other files.
+    #[error("{count} faults:\n{list}", count = faults.len(), list = listed(faults))]
+    Several {
+        /// Each of them.
+        faults: Vec<CaseError>,
+    },
     /// Something in the file is wrong.
     #[error("{message}")]
     Invalid {
+        /// Path of the key, such as `soil.layer[1].poisson`; empty for the file itself.
+        key: String,
         /// What is wrong.
         message: String,
         /// The file.
@@ -39,6 +47,44 @@ pub enum CaseError {
     },
 }
 
+fn listed(faults: &[CaseError]) -> String {
+    faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
+}
+
+impl CaseError {
+    /// The faults one by one.
+    pub fn each(self) -> Vec<CaseError> {
+        match self {
+            Self::Several { faults } => faults.into_iter().flat_map(Self::each).collect(),
+            fault => vec![fault],
+        }
+    }
+
+    /// `faults` as one error, in the order of their lines in `first`, then in other files; what has no line comes last.
+    pub fn all(faults: impl IntoIterator<Item = CaseError>, first: &str) -> Self {
+        let mut faults: Vec<CaseError> = faults.into_iter().flat_map(Self::each).collect();
+        faults.sort_by_key(|fault| match fault {
+            Self::Invalid { text, span, .. } => {
+                let name = text.name().to_owned();
+                (name != first, name, span.map_or(usize::MAX, |span| span.offset()))
+            }
+            _ => (true, String::new(), usize::MAX),
+        });
+        match (faults.pop(), faults.is_empty()) {
+            (Some(only), true) => only,
+            (last, _) => Self::Several { faults: faults.into_iter().chain(last).collect() },
+        }
+    }
+
+    /// The key it is about.
+    pub fn key(&self) -> &str {
+        match self {
+            Self::Invalid { key, .. } => key,
+            _ => "",
+        }
+    }
+}
+
 /// A fault found at a key path such as `soil.layer[1].poisson`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
@@ -48,17 +94,43 @@ pub struct Finding {
     pub message: String,
     /// What is allowed.
     pub help: Option<String>,
+    /// The key that is missing, or that is meant by a misspelt one.
+    pub wanted: Option<&'static str>,
+    /// Whether the key itself is wrong, not its value.
+    on_key: bool,
 }
 
 impl Finding {
     /// A finding without advice.
     pub fn new(path: impl Into<String>, message: impl ToString) -> Self {
-        Self { path: path.into(), message: message.to_string(), help: None }
+        Self { path: path.into(), message: message.to_string(), help: None, wanted: None, on_key: false }
     }
 
     /// A number out of its range, in the table at `path` (empty for the file itself).
     pub fn out_of_range(path: &str, error: OutOfRange) -> Self {
         Self::new([path, error.key].join(if path.is_empty() { "" } else { "." }), error)
+    }
+
+    /// The same about the key itself, which does not exist; `meant` is one that does.
+    pub fn of_key(mut self, meant: Option<&'static str>) -> Self {
+        (self.on_key, self.wanted) = (true, meant);
+        self
+    }
+
+    /// The same about a table that lacks `key`.
+    pub fn lacking(mut self, key: &'static str) -> Self {
+        self.wanted = Some(key);
+        self
+    }
+
+    /// Whether it is about a key that does not exist.
+    pub fn on_key(&self) -> bool {
+        self.on_key
+    }
+
+    /// The key that is missing, if it is about one.
+    pub fn lacks(&self) -> Option<&'static str> {
+        self.wanted.filter(|_| !self.on_key)
     }
 
     /// The same with advice.
@@ -69,10 +141,14 @@ impl Finding {
 
     /// The finding as an error of the file `name` with contents `text`.
     pub fn at(self, name: &str, text: &str) -> CaseError {
-        let span = locate(text, &self.path).map(SourceSpan::from);
-        let message =
-            if self.path.is_empty() { self.message } else { format!("{}: {}", self.path, self.message) };
+        let span = locate(text, &self.path, self.on_key).map(SourceSpan::from);
+        let message = match (self.path.is_empty(), span) {
+            (true, None) => format!("{name}: {}", self.message),
+            (true, _) => self.message,
+            (false, _) => format!("{}: {}", self.path, self.message),
+        };
         CaseError::Invalid {
+            key: self.path,
             message,
             text: NamedSource::new(name, text.to_owned()),
             span,
@@ -82,66 +158,68 @@ impl Finding {
     }
 }
 
-/// Where the value at a key path stands: the longest part of the path that exists.
-fn locate(text: &str, path: &str) -> Option<std::ops::Range<usize>> {
+/// Where the value at a key path stands, or its key: the longest part of the path that exists.
+fn locate(text: &str, path: &str, on_key: bool) -> Option<std::ops::Range<usize>> {
     let document = DeTable::parse(text).ok()?;
     let mut span = None;
     let mut table = Some(document.get_ref());
     let mut value: Option<&DeValue> = None;
     for step in path.split(['.', '[']).map(|s| s.trim_end_matches(']')).filter(|s| !s.is_empty()) {
-        let next = match (table, value, step.parse::<usize>()) {
-            (_, Some(DeValue::Array(array)), Ok(index)) => array.get(index)?,
+        let (key, next) = match (table, value, step.parse::<usize>()) {
+            (_, Some(DeValue::Array(array)), Ok(index)) => (None, array.get(index)?),
             (Some(table), _, _) => match table.get_key_value(step) {
-                Some((_, next)) => next,
+                Some((key, next)) => (Some(key.span()), next),
                 None => break,
             },
             _ => break,
         };
-        span = Some(next.span());
+        span = Some(key.filter(|_| on_key).unwrap_or(next.span()));
         value = Some(next.get_ref());
         table = next.get_ref().as_table();
     }
     span
 }
 
-/// "did you mean `young`?" from the list in serde's message, or nothing near enough.
-fn nearest(found: &str, allowed: &[&str]) -> Option<String> {
-    allowed
-        .iter()
-        .map(|a| (strsim::damerau_levenshtein(found, a), *a))
-        .min()
-        .filter(|(distance, a)| *distance <= 2.max(a.len() / 3))
-        .map(|(_, a)| format!("did you mean `{a}`? "))
+/// Which of `allowed` is probably meant by `found`, if any is near enough, or begins with it.
+pub fn nearest<'a>(found: &str, allowed: &[&'a str]) -> Option<&'a str> {
+    let distance = |a: &str| match found.len() >= 3 && a.starts_with(found) {
+        true => 1,
+        false => strsim::damerau_levenshtein(found, a),
+    };
+    let near = allowed.iter().map(|a| (distance(a), *a)).min();
+    near.filter(|(distance, a)| *distance <= 2.max(a.len() / 3)).map(|(_, a)| a)
 }
 
 /// Advice from the names of what is allowed.
 pub fn spelling(found: &str, allowed: &[&str]) -> String {
-    format!("{}allowed: {}", nearest(found, allowed).unwrap_or_default(), allowed.join(", "))
+    let meant = nearest(found, allowed).map(|a| format!("did you mean `{a}`? ")).unwrap_or_default();
+    format!("{meant}allowed: {}", allowed.join(", "))
 }
 
-/// A TOML or serde error with its path, in the words of this program.
-pub fn from_toml(error: &toml::de::Error, path: &str, name: &str, text: &str) -> CaseError {
-    let message = error.message().trim_end().to_owned();
-    let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
-    let (what, help) = if let Some(found) = message.strip_prefix("unknown field `") {
-        let found = found.split('`').next().unwrap_or_default();
-        (format!("unknown key `{found}`"), Some(spelling(found, &quoted[1..])))
-    } else if message.starts_with("unknown variant") && !quoted.is_empty() {
-        (format!("unknown value \"{}\"", quoted[0]), Some(spelling(quoted[0], &quoted[1..])))
-    } else if message.starts_with("missing field") && !quoted.is_empty() {
-        (format!("missing key `{}`", quoted[0]), Some(format!("add `{} = …`", quoted[0])))
+/// What keeps `text` from being TOML at all.
+pub fn syntax(error: &toml::de::Error, name: &str, text: &str) -> CaseError {
+    let span = error.span();
+    let start = span.as_ref().map_or(0, |span| span.start.min(text.len()));
+    let from = text[..start].rfind('\n').map_or(0, |end| end + 1);
+    let line = text[from..].lines().next().unwrap_or_default();
+    let (_, value) = line.split_once('=').unwrap_or_default();
+    let decimal_comma = value.trim().split_once(',').is_some_and(|(whole, rest)| {
+        whole.parse::<f64>().is_ok() && rest.starts_with(|c: char| c.is_ascii_digit())
+    });
+    let help = if decimal_comma {
+        "decimals have a point: 0.35, not 0,35"
     } else {
-        (message, None)
+        "a case file is TOML: key = number, key = \"text\", lists in [ ], tables under [name]; `groundwave new` writes one"
     };
-    let path = if path == "." { "" } else { path };
-    // serde's path names the unknown key itself; its parent is what the reader looks for
-    let message = if path.is_empty() { what } else { format!("{path}: {what}") };
+    // without what the parser would have liked, in its own terms
+    let reason = error.message().split(", expected").next().unwrap_or_default().trim_end();
     CaseError::Invalid {
-        message,
+        key: String::new(),
+        message: format!("the file cannot be read from here on: {reason}"),
         text: NamedSource::new(name, text.to_owned()),
-        span: error.span().map(SourceSpan::from).or_else(|| locate(text, path).map(SourceSpan::from)),
+        span: span.map(SourceSpan::from),
         label: "here".into(),
-        help,
+        help: Some(help.into()),
     }
 }
 
@@ -152,14 +230,15 @@ mod tests {
     #[test]
     fn finds_values_by_path() {
         let text = "[soil]\nx = 1\n[[soil.layer]]\nyoung = 3\n[[soil.layer]]\nyoung = 42\n";
-        let span = locate(text, "soil.layer[1].young").unwrap();
+        let span = locate(text, "soil.layer[1].young", false).unwrap();
         assert_eq!(&text[span], "42");
-        assert!(locate(text, "soil.layer[1].poisson").is_some());
+        assert!(locate(text, "soil.layer[1].poisson", false).is_some());
     }
 
     #[test]
     fn suggests_the_nearest_spelling() {
         assert!(spelling("youngs", &["young", "poisson"]).starts_with("did you mean `young`?"));
+        assert!(spelling("pitch", &["mass", "pitch_inertia"]).starts_with("did you mean `pitch_inertia`?"));
         assert!(spelling("zzz", &["young", "poisson"]).starts_with("allowed"));
     }
 }

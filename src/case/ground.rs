@@ -1,13 +1,8 @@
-//! `[soil]` and `[foundation]` → profile or springs, with every fault at its key.
+//! `[soil]` → profile and solver, with every fault at its key.
 
 use super::error::Finding;
-use super::schema::{
-    BelowLayersInput, ElementInput, FoundationInput, FoundationKind, MaterialInput, SoilInput, SolverInput,
-    SolverKind,
-};
-use crate::foundation::{FoundationError, Winkler};
-use crate::quantity::{not_negative, positive};
-use crate::soil::thin_layer::{BelowLayers, Element, ThinLayer};
+use super::schema::{MaterialInput, SoilInput, SolversInput};
+use crate::quantity::{OutOfRange, not_negative, positive};
 use crate::soil::{Base, Elastic, Layer, Material, Profile, SoilError, Solver};
 
 /// Thinnest layer [m], and shear wave speeds [m/s], that a case may ask for: beyond them are slips of unit.
@@ -37,7 +32,15 @@ fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
             return Err(Finding::new(path, format!("elastic constants: found {found}")).help(PAIRS));
         }
     };
-    let refused = |error| Finding::out_of_range(path, error);
+    let refused = |error: OutOfRange| {
+        let fluid = error.value == 0.0 && matches!(error.key, "young" | "shear_speed");
+        let finding = Finding::out_of_range(path, error);
+        if fluid {
+            finding.help("without shear stiffness it is a fluid: water is not modelled")
+        } else {
+            finding
+        }
+    };
     let loss = |factor: Option<f64>, ratio: Option<f64>, names: [&'static str; 2]| match (factor, ratio) {
         (Some(eta), None) => Ok(Some((eta, names[0]))),
         // η = 2ξ
@@ -79,108 +82,71 @@ fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
     Ok(material)
 }
 
-/// Thin layers with the settings of `input`, at `path`.
-fn thin_layer(input: &SolverInput, path: &str) -> Result<Solver, Finding> {
-    let element = match input.element {
-        Some(ElementInput::Linear) => Element::Linear,
-        Some(ElementInput::Quadratic) => Element::Quadratic,
-        Some(ElementInput::Cubic) | None => Element::Cubic,
-    };
-    let below = match input.half_space {
-        Some(BelowLayersInput::Exact) => BelowLayers::Exact,
-        Some(BelowLayersInput::Matched) | None => BelowLayers::Matched,
-    };
-    let accuracy = input.accuracy.unwrap_or(1e-6);
-    ThinLayer::new(element, accuracy, input.sublayers_per_wavelength, below).map(Solver::ThinLayer).map_err(
-        |error| {
-            let key = match error {
-                SoilError::Accuracy { .. } => "accuracy",
-                _ => "sublayers_per_wavelength",
-            };
-            Finding::new(format!("{path}.{key}"), error)
-                .help("elements of higher degree need fewer sublayers; leave the key out to have them chosen")
-        },
-    )
-}
-
 /// The solver of `[soil.solver]`, and the one to verify it with; `path` is where the table stands.
-pub fn solvers(input: Option<&SolverInput>, path: &str) -> Result<(Solver, Option<Solver>), Finding> {
-    let Some(input) = input else { return Ok((Solver::default(), None)) };
-    let solver = |kind: SolverKind| match kind {
-        SolverKind::DirectStiffness => Ok(Solver::DirectStiffness),
-        SolverKind::TransferMatrix => Ok(Solver::TransferMatrix),
-        SolverKind::Flexibility => Ok(Solver::Flexibility),
-        SolverKind::ThinLayer => thin_layer(input, path),
-    };
-    let first = solver(input.kind)?;
-    if input.kind != SolverKind::ThinLayer && input.verify != Some(SolverKind::ThinLayer) {
-        let given = [
-            ("element", input.element.is_some()),
-            ("accuracy", input.accuracy.is_some()),
-            ("sublayers_per_wavelength", input.sublayers_per_wavelength.is_some()),
-            ("half_space", input.half_space.is_some()),
-        ];
-        if let Some((key, _)) = given.iter().find(|(_, given)| *given) {
-            let message = format!("`{key}` belongs to the thin-layer solver, not to {}", first.name());
-            return Err(Finding::new(format!("{path}.{key}"), message)
-                .help("set kind or verify to \"thin-layer\", or remove the key"));
-        }
+pub fn solvers(input: Option<SolversInput>, path: &str) -> Result<(Solver, Option<Solver>), Finding> {
+    let SolversInput { solver, verify } = input.unwrap_or_default();
+    let solver = solver.unwrap_or_default();
+    if verify.is_some_and(|verify| verify.name() == solver.name()) {
+        let message = format!("{} cannot verify itself", solver.name());
+        return Err(
+            Finding::new(format!("{path}.verify"), message).help("name another solver, or remove the key")
+        );
     }
-    if input.verify == Some(input.kind) {
-        let message = format!("{} cannot verify itself", first.name());
-        return Err(Finding::new(format!("{path}.verify"), message).help(
-            "name another solver: direct-stiffness, transfer-matrix, flexibility or thin-layer; or remove the key",
-        ));
-    }
-    Ok((first, input.verify.map(solver).transpose()?))
+    Ok((solver, verify))
 }
 
-/// The profile of `[soil]`; `path` is where the table stands (`soil`, or empty in a library file).
-pub fn profile(input: &SoilInput, path: &str) -> Result<Profile, Finding> {
-    let at = |rest: &str| if path.is_empty() { rest.to_owned() } else { format!("{path}.{rest}") };
-    let mut layers = Vec::new();
-    for (i, layer) in input.layer.iter().enumerate() {
-        let path = at(&format!("layer[{i}]"));
-        let Some(thickness) = layer.thickness else {
-            return Err(Finding::new(path, "missing key `thickness`").help("add `thickness = …` [m]"));
-        };
-        positive("thickness", thickness, "m").map_err(|e| Finding::out_of_range(&path, e))?;
-        if thickness < THINNEST {
-            return Err(Finding::new(
-                format!("{path}.thickness"),
-                format!("thickness is {thickness} m: layers below {THINNEST} m are not resolved"),
-            )
-            .help("thicknesses are in metres; merge such a layer with its neighbour"));
-        }
-        layers.push(Layer { thickness, material: material(layer, &path)? });
+/// The layer of the table at `path`.
+fn layer(input: &MaterialInput, path: &str) -> Result<Layer, Finding> {
+    let Some(thickness) = input.thickness else {
+        return Err(Finding::new(path, "missing key `thickness`").help("add `thickness = …` [m]"));
+    };
+    positive("thickness", thickness, "m").map_err(|e| Finding::out_of_range(path, e))?;
+    if thickness < THINNEST {
+        return Err(Finding::new(
+            format!("{path}.thickness"),
+            format!("thickness is {thickness} m: layers below {THINNEST} m are not resolved"),
+        )
+        .help("thicknesses are in metres; merge such a layer with its neighbour"));
     }
-    let base = match (&input.half_space, &input.base) {
+    Ok(Layer { thickness, material: material(input, path)? })
+}
+
+/// What lies below the layers; `at` gives the path of a key of `[soil]`.
+fn base(input: &SoilInput, at: impl Fn(&str) -> String) -> Result<Base, Finding> {
+    match (&input.half_space, &input.base) {
         (Some(half_space), None) => {
             let path = at("half_space");
             if half_space.thickness.is_some() {
                 return Err(Finding::new(format!("{path}.thickness"), "a half-space has no thickness")
                     .help("move it to a [[soil.layer]], or remove the key"));
             }
-            Base::HalfSpace(material(half_space, &path)?)
+            Ok(Base::HalfSpace(material(half_space, &path)?))
         }
-        (None, Some(_)) => Base::Rigid,
-        (None, None) => {
-            return Err(Finding::new(path, "the profile has no base")
-                .help("add [soil.half_space], or soil.base = \"rigid\""));
-        }
+        (None, Some(_)) => Ok(Base::Rigid),
+        (None, None) => Err(Finding::new(at(""), "the profile has no base")
+            .help("add [soil.half_space], or soil.base = \"rigid\"")),
         (Some(_), Some(_)) => {
-            return Err(Finding::new(at("base"), "the profile has two bases: a half-space and a rigid one")
-                .help("remove one of them"));
+            Err(Finding::new(at("base"), "the profile has two bases: a half-space and a rigid one")
+                .help("remove one of them"))
         }
-    };
-    Profile::new(layers, base).map_err(|error| Finding::new(path, error))
+    }
 }
 
-/// The springs of `[foundation]`.
-pub fn springs(input: &FoundationInput) -> Result<Winkler, Finding> {
-    let FoundationKind::Winkler = input.kind;
-    Winkler::new(input.stiffness, input.damping, input.loss_factor).map_err(|error| match error {
-        FoundationError::OutOfRange(error) => Finding::out_of_range("foundation", error),
-        error => Finding::new("foundation", error),
-    })
+/// The profile of `[soil]`, or the fault of each layer; `path` is where the table stands (`soil`, or empty in a library file).
+pub fn profile(input: &SoilInput, path: &str) -> Result<Profile, Vec<Finding>> {
+    let at = |rest: &str| [path, rest].into_iter().filter(|p| !p.is_empty()).collect::<Vec<_>>().join(".");
+    let (mut layers, mut faults) = (Vec::new(), Vec::new());
+    for (i, input) in input.layer.iter().enumerate() {
+        match layer(input, &at(&format!("layer[{i}]"))) {
+            Ok(layer) => layers.push(layer),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    match base(input, at) {
+        Ok(base) if faults.is_empty() => {
+            Profile::new(layers, base).map_err(|error| vec![Finding::new(path, error)])
+        }
+        Ok(_) => Err(faults),
+        Err(fault) => Err(faults.into_iter().chain([fault]).collect()),
+    }
 }

@@ -1,14 +1,21 @@
-//! A case file → model and studies, everything checked before anything is computed.
+//! A case file → railway and studies, everything checked before anything is computed.
 
-use super::error::{CaseError, Finding, from_toml};
+use super::error::{CaseError, Finding};
+use super::faults::{self, Read};
 use super::schema::{CaseInput, SoilInput};
+use super::train::Wheels;
 use super::values::Named;
-use super::{ground, library, studies, track, train};
+use super::{files, ground, library, plausible, roughness, studies, track, train};
+use crate::columns;
+use crate::concern::Concern;
+use crate::railway::{Contact, Ground, Railway, Support};
 use crate::soil::{Profile, Solver};
-use crate::study::{Model, Study, Support};
+use crate::study::Study;
+use crate::track::Stack;
+use crate::vehicle::Train;
 use serde::de::DeserializeOwned;
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// A case ready to run.
@@ -25,21 +32,13 @@ pub struct Case {
     /// Sources of the library entries in use.
     pub references: Vec<String>,
     /// Ground, track, train.
-    pub model: Model,
+    pub railway: Railway,
     /// The same with the solver that is to verify it (`soil.solver.verify`).
-    pub witness: Option<Model>,
+    pub witness: Option<Railway>,
     /// What is asked.
     pub studies: Vec<Study>,
-}
-
-/// Reads TOML into `T` with the key path of any fault.
-fn read<T: DeserializeOwned>(text: &str, name: &str) -> Result<T, CaseError> {
-    let syntax = |error: &toml::de::Error| from_toml(error, "", name, text);
-    let deserializer = toml::Deserializer::parse(text).map_err(|e| syntax(&e))?;
-    serde_path_to_error::deserialize(deserializer).map_err(|error| {
-        let path = error.path().to_string();
-        from_toml(error.inner(), &path, name, text)
-    })
+    /// What its numbers may be doubted for: slips of unit, profiles with gaps.
+    pub concerns: Vec<Concern>,
 }
 
 /// A table in full, by library name, or from a TOML file beside the case: the table, the path prefix of its keys,
@@ -78,12 +77,30 @@ pub(super) struct Loader<'a> {
     /// Reads a file beside the case.
     open: &'a dyn Fn(&str) -> Result<String, String>,
     files: RefCell<BTreeMap<String, String>>,
+    /// What every file beside the case that stands for a table stands for, its name and text.
+    tables: RefCell<Vec<(&'static str, String, String)>>,
     references: RefCell<Vec<String>>,
+    /// Tables of the case that hold faults, or are meant by misspelt ones.
+    spoilt: BTreeSet<String>,
+    faults: RefCell<Vec<CaseError>>,
 }
+
+/// Ground or springs, and the solver to verify the ground with.
+type Carrier = (Support, Option<Solver>);
 
 impl Loader<'_> {
     fn fault(&self, finding: Finding) -> CaseError {
         finding.at(self.name, self.text)
+    }
+
+    /// What there is of `result`; its faults are kept.
+    fn keep<T>(&self, result: Result<T, CaseError>) -> Option<T> {
+        result.map_err(|fault| self.faults.borrow_mut().extend(fault.each())).ok()
+    }
+
+    /// Whether the case says nothing, not even something faulty, of the table `key`, which was not read.
+    fn lacks(&self, key: &str) -> bool {
+        !self.spoilt.contains(key)
     }
 
     fn file(&self, name: &str) -> Result<String, String> {
@@ -116,25 +133,129 @@ impl Loader<'_> {
                         .help("the path is relative to the case file"),
                 )
             })?;
-            (wanted.clone(), text)
+            (wanted.clone(), self.table(kind, wanted, text))
         } else {
-            let entry = library::find(kind, wanted, key).map_err(|finding| self.fault(finding))?;
-            let name = format!("library/{kind}/{wanted}.toml");
-            self.files.borrow_mut().insert(name.clone(), entry.text.to_owned());
-            let title = entry.text_of("title").unwrap_or_default();
-            let source = entry.text_of("source").unwrap_or_default();
-            self.references.borrow_mut().push(format!("{wanted}: {title}. {source}"));
-            (name, entry.text.to_owned())
+            match library::find(kind, wanted, key) {
+                Ok(entry) => {
+                    let name = format!("library/{kind}/{wanted}.toml");
+                    self.files.borrow_mut().insert(name.clone(), entry.text.to_owned());
+                    let title = entry.text_of("title").unwrap_or_default();
+                    let source = entry.text_of("source").unwrap_or_default();
+                    self.references.borrow_mut().push(format!("{wanted}: {title}. {source}"));
+                    (name, entry.text.to_owned())
+                }
+                Err(mut finding) => {
+                    let beside = format!("{wanted}.toml");
+                    let text = self.file(&beside).map_err(|reason| {
+                        finding.message += &format!("; {beside} beside the case: {reason}");
+                        self.fault(finding)
+                    })?;
+                    (beside.clone(), self.table(kind, &beside, text))
+                }
+            }
         };
-        let table = read(&text, &name)?;
+        let table = faults::whole(&text, &name)?;
         Ok(Resolved { table, prefix: String::new(), name, text })
+    }
+
+    /// The `text` of the file `name` beside the case, remembered as a table of `kind`.
+    fn table(&self, kind: &str, name: &str, text: String) -> String {
+        let root = match kind {
+            "soils" => "soil",
+            "tracks" => "track",
+            _ => "train",
+        };
+        self.tables.borrow_mut().push((root, name.to_owned(), text.clone()));
+        text
+    }
+
+    /// What is doubtful in the numbers of the case and of every file that stands for one of its tables; what cannot be is a
+    /// fault, unless its key is refused already.
+    fn review(&self, input: &CaseInput) -> Vec<Concern> {
+        let (mut refused, mut concerns) = plausible::review("", self.name, self.text);
+        for (root, name, text) in self.tables.borrow().iter() {
+            let (more_refused, more) = plausible::review(root, name, text);
+            refused.extend(more_refused);
+            concerns.extend(more);
+        }
+        let mut faults = self.faults.borrow_mut();
+        refused.retain(|new| !faults.iter().any(|old| old.key() == new.key()));
+        faults.extend(refused);
+        let profile = input.irregularity.iter().flat_map(|i| roughness::concerns(i, &|name| self.file(name)));
+        concerns.extend(profile);
+        let records = input.track_response.iter().flat_map(|t| t.measured.iter().enumerate());
+        concerns.extend(records.filter_map(|(i, record)| {
+            let columns = columns::read(&self.file(&record.file).ok()?).ok()?;
+            roughness::of_record(&format!("track_response.measured[{i}].file"), &record.file, &columns)
+        }));
+        concerns
+    }
+
+    /// What lies under the track.
+    fn support(&self, input: &CaseInput) -> Option<Carrier> {
+        match (&input.soil, &input.foundation) {
+            (Some(_), Some(_)) => self.keep(Err(self.fault(
+                Finding::new("foundation", "soil and foundation are both given").help("remove one of them"),
+            ))),
+            (Some(soil), None) => {
+                let (profile, solver, second) = self.keep(self.soil(soil))?;
+                Some((Support::Ground(Ground::new(profile, solver, None)), second))
+            }
+            (None, Some(springs)) => Some((Support::Springs(springs.clone()), None)),
+            (None, None) if self.lacks("soil") && self.lacks("foundation") => {
+                let finding = Finding::new("", "the case has no ground");
+                self.keep(Err(self.fault(finding.help("add [soil], or [foundation] for springs"))))
+            }
+            (None, None) => None,
+        }
+    }
+
+    /// The track and its contact with the ground.
+    fn track(&self, input: &CaseInput) -> Option<(Stack, Option<Contact>)> {
+        let Some(named) = &input.track else {
+            if input.foundation.is_some() && input.soil.is_none() && self.lacks("track") {
+                let finding = Finding::new("foundation", "springs need a track on them");
+                self.keep::<()>(Err(
+                    self.fault(finding.help("add [track], or track = \"…\" above the first table"))
+                ));
+            }
+            // the ground alone
+            return (input.foundation.is_none() && self.lacks("track")).then(|| (Stack::default(), None));
+        };
+        let resolved = self.keep(self.resolve(named, "track", "tracks"))?;
+        let on_ground = input.foundation.is_none() && !self.spoilt.contains("foundation");
+        let track = track::track(&resolved.table, &resolved.prefix, on_ground);
+        self.keep(track.map_err(|f| f.at(&resolved.name, &resolved.text)))
+    }
+
+    /// The train, if there is one; none of both where it is faulty.
+    fn train(&self, input: &CaseInput) -> Option<Option<(Train, Wheels)>> {
+        match &input.train {
+            Some(named) => self.keep(train::train(self, named)).map(Some),
+            None => self.lacks("train").then_some(None),
+        }
+    }
+
+    /// The railway, and the one to verify it.
+    fn railways(
+        &self,
+        railway: Result<Railway, impl std::fmt::Display>,
+        second: Option<Solver>,
+    ) -> Option<(Railway, Option<Railway>)> {
+        let railway = self.keep(railway.map_err(|e| self.fault(Finding::new("track", e))))?;
+        let witness = second
+            .map(|solver| railway.with_solver(solver))
+            .transpose()
+            .map_err(|e| self.fault(Finding::new("soil.solver.verify", e)));
+        let witness = self.keep(witness)?;
+        Some((railway, witness))
     }
 
     /// The ground, its solver and the one to verify it with.
     fn soil(&self, named: &Named<SoilInput>) -> Result<(Profile, Solver, Option<Solver>), CaseError> {
         let mut soil = self.resolve(named, "soil", "soils")?;
         let solver_path = |prefix: &str| [prefix, "solver"].join(if prefix.is_empty() { "" } else { "." });
-        let mut solvers = ground::solvers(soil.table.solver.as_ref(), &solver_path(&soil.prefix))
+        let mut solvers = ground::solvers(soil.table.solver, &solver_path(&soil.prefix))
             .map_err(|f| f.at(&soil.name, &soil.text))?;
         if let Some(name) = &soil.table.library {
             let path = format!("{}.library", soil.prefix);
@@ -153,11 +274,13 @@ impl Loader<'_> {
                 return Err(finding.help("give its layers").at(&soil.name, &soil.text));
             }
             if !own {
-                solvers = ground::solvers(soil.table.solver.as_ref(), "solver")
-                    .map_err(|f| f.at(&soil.name, &soil.text))?;
+                solvers =
+                    ground::solvers(soil.table.solver, "solver").map_err(|f| f.at(&soil.name, &soil.text))?;
             }
         }
-        let profile = ground::profile(&soil.table, &soil.prefix).map_err(|f| f.at(&soil.name, &soil.text))?;
+        let profile = ground::profile(&soil.table, &soil.prefix).map_err(|faults| {
+            CaseError::all(faults.into_iter().map(|f| f.at(&soil.name, &soil.text)), self.name)
+        })?;
         Ok((profile, solvers.0, solvers.1))
     }
 }
@@ -184,75 +307,70 @@ impl Case {
                 |name: &str| files.get(name).cloned().ok_or_else(|| "not stored in the results".to_owned());
             return Self::parse(&text, &path.display().to_string(), &open);
         }
-        let text = std::fs::read_to_string(path).map_err(|e| unreadable(e.to_string()))?;
+        let text = files::text(path).map_err(unreadable)?;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        let open = move |name: &str| std::fs::read_to_string(folder.join(name)).map_err(|e| e.to_string());
+        let open = move |name: &str| files::text(&folder.join(name));
         Self::parse(&text, &path.display().to_string(), &open)
     }
 
     /// Checks the case `text`, called `name` in messages; `open` reads the files it names.
     ///
     /// # Errors
-    /// Everything wrong with it, at its line and key.
+    /// Everything wrong with it that can be found at once, each fault at its line and key.
     pub fn parse(
         text: &str,
         name: &str,
         open: &dyn Fn(&str) -> Result<String, String>,
     ) -> Result<Self, CaseError> {
-        let input: CaseInput = read(text, name)?;
-        let loader = Loader { name, text, open, files: RefCell::default(), references: RefCell::default() };
-        let mut verify = None;
-        let support = match (&input.soil, &input.foundation) {
-            (Some(soil), None) => {
-                let (profile, solver, second) = loader.soil(soil)?;
-                verify = second;
-                Support::Ground(profile, solver)
-            }
-            (None, Some(springs)) => Support::Winkler(ground::springs(springs).map_err(|f| loader.fault(f))?),
-            (None, None) => {
-                return Err(loader.fault(
-                    Finding::new("", "the case has no ground")
-                        .help("add [soil], or [foundation] for springs"),
-                ));
-            }
-            (Some(_), Some(_)) => {
-                return Err(loader.fault(
-                    Finding::new("foundation", "soil and foundation are both given")
-                        .help("remove one of them"),
-                ));
-            }
+        let Read { said, spoilt, faults } = faults::read::<CaseInput>(text, name, Some(("title", "")));
+        let Some(input) = said else { return Err(CaseError::all(faults, name)) };
+        let loader = Loader {
+            name,
+            text,
+            open,
+            files: RefCell::default(),
+            tables: RefCell::default(),
+            references: RefCell::default(),
+            spoilt,
+            faults: RefCell::new(faults),
         };
-        let on_ground = matches!(support, Support::Ground(..));
-        let resolved = loader.resolve(&input.track, "track", "tracks")?;
-        let (stack, contact) = track::track(&resolved.table, &resolved.prefix, on_ground)
-            .map_err(|f| f.at(&resolved.name, &resolved.text))?;
-        let (train, wheels) = match &input.train {
-            Some(named) => {
-                let (train, wheels) = train::train(&loader, named)?;
-                (Some(train), Some(wheels))
+        let ground = loader.support(&input);
+        let track = loader.track(&input);
+        let train = loader.train(&input);
+        let wheels = train.as_ref().map(|train| train.as_ref().map(|(_, wheels)| wheels));
+        let (studies, faults) = studies::studies(&input, wheels, &loader.spoilt, &|name| loader.file(name));
+        loader.faults.borrow_mut().extend(faults.into_iter().map(|finding| loader.fault(finding)));
+        let concerns = loader.review(&input);
+        let railways = match (ground, track, train) {
+            (Some((mut support, second)), Some((stack, contact)), Some(train)) => {
+                if let Support::Ground(ground) = &mut support {
+                    ground.contact = contact;
+                }
+                let train = train.map(|(train, _)| train);
+                loader.railways(Railway::new(support, stack, train), second)
             }
-            None => (None, None),
+            _ => None,
         };
-        let model =
-            Model::new(support, contact, stack, train).map_err(|e| loader.fault(Finding::new("track", e)))?;
-        let witness = verify
-            .map(|solver| model.with_solver(solver))
-            .transpose()
-            .map_err(|e| loader.fault(Finding::new("soil.solver.verify", e)))?;
-        let studies = studies::studies(&input, wheels.as_ref(), &|name| loader.file(name))
-            .map_err(|f| loader.fault(f))?;
-        for study in &studies {
-            study.check(&model).map_err(|e| loader.fault(Finding::new(study.name(), e)))?;
+        if let Some((railway, _)) = &railways {
+            for study in &studies {
+                let lacks = study.check(railway).err().unwrap_or_default();
+                let faults = lacks.into_iter().map(|e| loader.fault(Finding::new(study.name(), e)));
+                loader.faults.borrow_mut().extend(faults);
+            }
         }
-        Ok(Self {
-            title: input.title,
-            source: input.source,
-            text: text.to_owned(),
-            files: loader.files.into_inner(),
-            references: loader.references.into_inner(),
-            model,
-            witness,
-            studies,
-        })
+        match (railways, loader.faults.borrow_mut().split_off(0)) {
+            (Some((railway, witness)), faults) if faults.is_empty() => Ok(Self {
+                title: input.title,
+                source: input.source,
+                text: text.to_owned(),
+                files: loader.files.take(),
+                references: loader.references.take(),
+                railway,
+                witness,
+                studies,
+                concerns,
+            }),
+            (_, faults) => Err(CaseError::all(faults, name)),
+        }
     }
 }

@@ -2,12 +2,17 @@
 
 mod checks;
 pub mod error;
+mod faults;
+mod files;
 mod folder;
 mod ground;
 mod irregularity;
 pub mod library;
 mod load;
+mod plausible;
+mod read;
 mod report;
+mod roughness;
 mod runner;
 pub mod schema;
 mod studies;

@@ -4,19 +4,20 @@ use super::Case;
 use super::verification::Verification;
 use crate::concern::Concern;
 use crate::output::{Report, ReportTable};
+use crate::railway::{Contact, Ground, Railway, Support};
 use crate::soil::{Base, Material};
-use crate::study::{Contact, Irregularity, Model, Outcome, Study, Support};
+use crate::study::{Irregularity, Outcome, Study};
 
 /// Name of the ground's solver, for people and attributes.
-pub fn solver(model: &Model) -> &'static str {
-    match model.support() {
-        Support::Ground(_, solver) => solver.name(),
-        Support::Winkler(_) => "none (Winkler springs)",
+pub fn solver(railway: &Railway) -> &'static str {
+    match railway.support() {
+        Support::Ground(ground) => ground.solver.name(),
+        Support::Springs(_) => "none (springs)",
     }
 }
 
-fn ground_table(model: &Model) -> Option<ReportTable> {
-    let Support::Ground(profile, _) = model.support() else { return None };
+fn ground_table(railway: &Railway) -> Option<ReportTable> {
+    let Ground { profile, .. } = railway.ground().ok()?;
     let row = |name: String, thickness: String, m: &Material| {
         vec![
             name,
@@ -63,8 +64,8 @@ fn ground_table(model: &Model) -> Option<ReportTable> {
     })
 }
 
-fn train_table(model: &Model) -> Option<ReportTable> {
-    let train = model.train("report").ok()?;
+fn train_table(railway: &Railway) -> Option<ReportTable> {
+    let train = railway.train().ok()?;
     Some(ReportTable {
         title: format!("Axle loads, {:.0} kN in all", 1e-3 * train.total_load()),
         header: ["axle", "behind the leading axle [m]", "load [kN]"].map(str::to_owned).to_vec(),
@@ -125,48 +126,52 @@ fn excitation(studies: &[Study]) -> Vec<String> {
     list
 }
 
-fn assumptions(model: &Model, studies: &[Study]) -> Vec<String> {
+fn assumptions(railway: &Railway, studies: &[Study]) -> Vec<String> {
     let mut list = vec![
         "Linear and uniform along the track: one profile, one track, no structures, no transition.".to_owned(),
         "Displacements are positive down, and measured from the unloaded state; x′ is the position relative to the leading axle, positive ahead.".to_owned(),
         "Track values are for the whole track: both rails.".to_owned(),
     ];
     list.extend(excitation(studies));
-    match model.support() {
-        Support::Ground(profile, solver) => {
+    match railway.support() {
+        Support::Ground(Ground { profile, solver, contact }) => {
             list.push("Horizontally layered, isotropic ground with hysteretic damping M* = M (1 + iη sgn ω); small strains: if the computed strains are large, use strain-reduced moduli.".into());
             list.push(solver.method());
             if profile.is_undamped() {
                 list.push("The ground is undamped.".into());
             }
+            list.extend(contact.map(|contact| touching(contact, !railway.stack().is_empty())));
         }
-        Support::Winkler(_) => {
-            list.push("The track stands on independent springs: no waves in the ground.".into())
+        Support::Springs(springs) => {
+            list.push(format!("The track stands on {}: no waves in the ground.", springs.model().name()));
         }
-    }
-    if matches!(model.support(), Support::Ground(..)) {
-        list.push(match model.contact() {
-            Contact::Strip(strip) => format!(
-                "The track presses on the ground evenly over 2b = {} m and follows the ground's {}.",
-                2.0 * strip.half_width,
-                if model.contact().compatibility() == "mean" {
-                    "mean displacement over that width"
-                } else {
-                    "displacement under the centre line"
-                }
-            ),
-            Contact::Patch { half_length, strip } => format!(
-                "Each axle presses evenly on {} m × {} m of ground, without a track.",
-                2.0 * half_length,
-                2.0 * strip.half_width
-            ),
-            Contact::Point => {
-                "Each axle is a point load on the ground; the value under it is the mean over one grid cell."
-                    .into()
-            }
-        });
     }
     list
+}
+
+/// How `contact` loads the ground, under a track or without one.
+fn touching(contact: Contact, track: bool) -> String {
+    match contact {
+        Contact::Strip(strip) => format!(
+            "{} presses on the ground evenly over 2b = {} m and follows the ground's {}.",
+            if track { "The track" } else { "A load along the track, without one," },
+            2.0 * strip.half_width,
+            if contact.compatibility() == "mean" {
+                "mean displacement over that width"
+            } else {
+                "displacement under the centre line"
+            }
+        ),
+        Contact::Patch { half_length, strip } => format!(
+            "Each axle presses evenly on {} m × {} m of ground, without a track.",
+            2.0 * half_length,
+            2.0 * strip.half_width
+        ),
+        Contact::Point => {
+            "Each axle is a point load on the ground; the value under it is the mean over one grid cell."
+                .into()
+        }
+    }
 }
 
 /// Every input: the case file, then each parameter set it names.
@@ -195,12 +200,16 @@ pub fn report(
             .flat_map(|(_, o)| o.answers.iter().map(|a| (a.what.clone(), a.shown.clone())))
             .collect(),
         figures,
-        tables: [ground_table(&case.model), train_table(&case.model), verification.map(Verification::table)]
-            .into_iter()
-            .flatten()
-            .collect(),
+        tables: [
+            ground_table(&case.railway),
+            train_table(&case.railway),
+            verification.map(Verification::table),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
         case_text: inputs(case),
-        assumptions: assumptions(&case.model, &case.studies),
+        assumptions: assumptions(&case.railway, &case.studies),
         concerns: concerns.to_vec(),
         references: case.references.clone(),
     }

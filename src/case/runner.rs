@@ -63,7 +63,7 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
     let mut outcomes: Vec<(&'static str, Outcome)> = Vec::new();
     for study in &case.studies {
         let outcome = study
-            .run(&case.model, observer)
+            .run(&case.railway, observer)
             .map_err(|source| RunError::Study { study: study.name(), source })?;
         outcomes.push((study.name(), outcome));
     }
@@ -71,7 +71,8 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
         case.witness.as_ref().map(|witness| Verification::run(case, witness, &mut outcomes, observer));
     let drawings = draw(&mut outcomes);
     outcomes.iter_mut().for_each(|(_, outcome)| name_answers(outcome));
-    let concerns: Vec<Concern> = outcomes.iter().flat_map(|(_, o)| o.concerns.clone()).collect();
+    let found = outcomes.iter().flat_map(|(_, o)| o.concerns.clone());
+    let concerns: Vec<Concern> = case.concerns.iter().cloned().chain(found).collect();
     let staging = folder::stage(&out)?;
     observer.begin("writing", 1);
     write(case, &outcomes, verification.as_ref(), &concerns, drawings, staging.path())?;
@@ -140,7 +141,7 @@ fn write(
         ("title".into(), case.title.clone().into()),
         ("program".into(), "groundwave".into()),
         ("version".into(), env!("CARGO_PKG_VERSION").into()),
-        ("solver".into(), report::solver(&case.model).into()),
+        ("solver".into(), report::solver(&case.railway).into()),
         ("case_text".into(), case.text.clone().into()),
         ("case_files".into(), serde_json::json!(case.files).to_string().into()),
         ("concerns".into(), serde_json::json!(concerns).to_string().into()),

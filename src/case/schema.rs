@@ -3,6 +3,13 @@
 //! The file is long because it is that list, whole and in one place.
 
 use super::values::{Named, Range, Speed};
+use crate::field::Quantity;
+use crate::foundation::{FoundationModel, Springs};
+use crate::irregularity::{Order, Spectrum};
+use crate::soil::dispersion::SurfaceWave;
+use crate::soil::{Solver, Strip};
+use crate::track::Track;
+use crate::vehicle::{Axle, Body, Bogie, Suspension, Tread, VehicleModel, Wheelset};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -17,9 +24,10 @@ pub struct CaseInput {
     /// Layered ground, or the name of a library soil.
     pub soil: Option<Named<SoilInput>>,
     /// Springs instead of ground.
-    pub foundation: Option<FoundationInput>,
+    #[schemars(with = "Option<FoundationModel>")]
+    pub foundation: Option<Springs>,
     /// The track, or the name of a library track.
-    pub track: Named<TrackInput>,
+    pub track: Option<Named<TrackInput>>,
     /// The train, or the name of a library vehicle.
     pub train: Option<Named<TrainInput>>,
     /// Largest rail deflections against speed.
@@ -53,7 +61,7 @@ pub struct SoilInput {
     /// Case files only: layers and base of a library soil, or of a TOML file beside the case.
     pub library: Option<String>,
     /// Which solver answers.
-    pub solver: Option<SolverInput>,
+    pub solver: Option<SolversInput>,
     /// Layers, top first.
     #[serde(default)]
     pub layer: Vec<MaterialInput>,
@@ -74,57 +82,14 @@ pub enum BaseInput {
 /// `soil.solver`
 #[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct SolverInput {
-    /// Name of the solver; direct-stiffness by default.
-    #[serde(default)]
-    pub kind: SolverKind,
-    /// Another solver, which answers every study a second time; the differences are reported.
-    pub verify: Option<SolverKind>,
-    /// Degree of the displacements in a sublayer; cubic by default (thin-layer).
-    pub element: Option<ElementInput>,
-    /// Error of G(k, ω) relative to its largest value; 1e-6 by default (thin-layer).
-    pub accuracy: Option<f64>,
-    /// Sublayers to the shortest wave; by default as many as the accuracy needs (thin-layer).
-    pub sublayers_per_wavelength: Option<f64>,
-    /// How the half-space below the layers is treated; matched by default (thin-layer).
-    pub half_space: Option<BelowLayersInput>,
-}
-
-/// `soil.solver.element`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum ElementInput {
-    /// Error ∝ h².
-    Linear,
-    /// Error ∝ h⁴.
-    Quadratic,
-    /// Error ∝ h⁶.
-    Cubic,
-}
-
-/// `soil.solver.half_space`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum BelowLayersInput {
-    /// Perfectly matched discrete layers: there are modes.
-    Matched,
-    /// Its exact stiffness: no modes.
-    Exact,
-}
-
-/// `soil.solver.kind`
-#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum SolverKind {
-    /// Exact layer stiffness matrices.
-    #[default]
-    DirectStiffness,
-    /// Exact compound transfer matrices.
-    TransferMatrix,
-    /// Exact recursion on flexibilities.
-    Flexibility,
-    /// Thin layers and their modes.
-    ThinLayer,
+pub struct SolversInput {
+    /// Another solver, which answers every study a second time; the differences are reported. By name, or with its settings.
+    #[schemars(with = "Option<Named<Solver>>")]
+    pub verify: Option<Solver>,
+    /// The solver; direct-stiffness by default.
+    #[serde(rename = "$rest")]
+    #[schemars(flatten)]
+    pub solver: Option<Solver>,
 }
 
 /// `[[soil.layer]]` with a thickness, or `[soil.half_space]` without.
@@ -153,188 +118,49 @@ pub struct MaterialInput {
     pub damping_ratio_pressure: Option<f64>,
 }
 
-/// `[foundation]`: springs per metre of track.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct FoundationInput {
-    /// Which springs.
-    pub kind: FoundationKind,
-    /// k [N/m²]
-    pub stiffness: f64,
-    /// c [N s/m²]
-    #[serde(default)]
-    pub damping: f64,
-    /// η
-    #[serde(default)]
-    pub loss_factor: f64,
-}
-
-/// `foundation.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum FoundationKind {
-    /// Independent springs.
-    Winkler,
+/// Where there is a track, axles press on its rail and not on the ground.
+fn load_without_track(schema: &mut schemars::Schema) {
+    let kinds = schema.get_mut("oneOf").and_then(|kinds| kinds.as_array_mut());
+    for kind in kinds.into_iter().flatten().filter(|kind| kind["properties"]["kind"]["const"] != "none") {
+        kind["properties"]["load"] = false.into();
+    }
 }
 
 /// `[track]`, whole track: both rails.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(transform = load_without_track)]
 pub struct TrackInput {
     /// Library files only: title.
     pub title: Option<String>,
     /// Library files only: source.
     pub source: Option<String>,
-    /// Which track.
-    pub kind: TrackKind,
-    /// Both rails (ballasted, slab).
-    pub rail: Option<BeamInput>,
-    /// Pads of both rails (ballasted, slab).
-    pub pad: Option<SpringInput>,
-    /// Sleepers (ballasted).
-    pub sleeper: Option<SleeperInput>,
-    /// Ballast (ballasted).
-    pub ballast: Option<BallastInput>,
-    /// The slab (slab).
-    pub slab: Option<BeamInput>,
-    /// The one beam (beam): rails, track and embankment together.
-    pub beam: Option<BeamInput>,
     /// Contact with the ground (all but none; not on springs).
-    pub contact: Option<ContactInput>,
+    pub contact: Option<Strip>,
     /// How each axle presses on the ground (none).
     pub load: Option<LoadInput>,
-}
-
-/// `track.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum TrackKind {
-    /// Rails, pads, sleepers, ballast.
-    Ballasted,
-    /// Rails, pads, slab.
-    Slab,
-    /// One beam.
-    Beam,
-    /// Axles straight on the ground.
-    None,
-}
-
-/// A beam along the track.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BeamInput {
-    /// EI [N m²]
-    pub bending_stiffness: f64,
-    /// [kg/m]
-    pub mass: f64,
-    /// η of EI
-    #[serde(default)]
-    pub loss_factor: f64,
-}
-
-/// `track.pad`
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct SpringInput {
-    /// k [N/m²]
-    pub stiffness: f64,
-    /// c [N s/m²]
-    #[serde(default)]
-    pub damping: f64,
-    /// η
-    #[serde(default)]
-    pub loss_factor: f64,
-}
-
-/// `track.sleeper`
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct SleeperInput {
-    /// [kg/m]
-    pub mass: f64,
-}
-
-/// `track.ballast`
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BallastInput {
-    /// Which model.
-    pub kind: BallastKind,
-    /// E_b [Pa] (bars)
-    pub young: Option<f64>,
-    /// h [m] (bars)
-    pub height: Option<f64>,
-    /// α (bars)
-    pub alpha: Option<f64>,
-    /// C_b [m/s] (bars), or density with poisson.
-    pub wave_speed: Option<f64>,
-    /// ρ_b [kg/m³] (bars): C_b = √(E_b/ρ_b), or from the constrained modulus with poisson.
-    pub density: Option<f64>,
-    /// ν_b (bars)
-    pub poisson: Option<f64>,
-    /// k_b [N/m²] (consistent-mass)
-    pub stiffness: Option<f64>,
-    /// m_b [kg/m] (consistent-mass)
-    pub mass: Option<f64>,
-    /// c_b [N s/m²] (consistent-mass)
-    pub damping: Option<f64>,
-    /// η
-    #[serde(default)]
-    pub loss_factor: f64,
-}
-
-/// `track.ballast.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum BallastKind {
-    /// Alves Costa: bars with wave motion.
-    Bars,
-    /// Sheng: springs with consistent mass.
-    ConsistentMass,
-}
-
-/// `track.contact`
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct ContactInput {
-    /// b [m]: half of the contact width.
-    pub half_width: f64,
-    /// Which ground displacement the track follows.
-    pub compatibility: CompatibilityInput,
-}
-
-/// `track.contact.compatibility`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum CompatibilityInput {
-    /// Under the centre line.
-    Centre,
-    /// Mean over the strip.
-    Mean,
+    /// The track itself.
+    #[serde(rename = "$rest")]
+    #[schemars(flatten)]
+    pub track: Track,
 }
 
 /// `track.load`
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct LoadInput {
-    /// Point or rectangle.
-    pub kind: LoadKind,
-    /// Half the length along the track [m] (patch).
-    pub half_length: Option<f64>,
-    /// Half the width across it [m] (patch).
-    pub half_width: Option<f64>,
-    /// Which displacement is reported (patch).
-    pub compatibility: Option<CompatibilityInput>,
-}
-
-/// `track.load.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum LoadKind {
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[schemars(tag = "kind")]
+pub enum LoadInput {
     /// A point.
     Point,
     /// A rectangle.
-    Patch,
+    Patch {
+        /// Half the length along the track [m].
+        half_length: f64,
+        /// Half the width across it, and which displacement is reported.
+        #[serde(rename = "$rest")]
+        #[schemars(flatten)]
+        strip: Strip,
+    },
 }
 
 /// `[train]`
@@ -346,7 +172,7 @@ pub struct TrainInput {
     /// Library files only: source.
     pub source: Option<String>,
     /// Axles.
-    pub axles: Option<Vec<AxleInput>>,
+    pub axles: Option<Vec<Axle>>,
     /// A library vehicle instead of axles.
     pub vehicle: Option<String>,
     /// How many of them in a row.
@@ -357,90 +183,21 @@ pub struct TrainInput {
     /// Length over couplers [m], the distance at which `count` repeats the vehicle.
     pub length: Option<f64>,
     /// Which bodies follow a rough rail, where dynamics are wanted.
-    pub model: Option<ModelInput>,
+    pub model: Option<VehicleModel>,
     /// Unsprung mass of each wheelset [kg] of the model "unsprung".
     pub unsprung_mass: Option<f64>,
     /// Body of a vehicle on two bogies, which brings its axles and loads by itself.
-    pub body: Option<BodyInput>,
+    pub body: Option<Body>,
     /// Each of its two bogies.
-    pub bogie: Option<BogieInput>,
+    pub bogie: Option<Bogie>,
     /// Each of its four wheelsets.
-    pub wheelset: Option<WheelsetInput>,
+    pub wheelset: Option<Wheelset>,
     /// Suspension of one wheelset.
-    pub primary: Option<SuspensionInput>,
+    pub primary: Option<Suspension>,
     /// Suspension of one bogie.
-    pub secondary: Option<SuspensionInput>,
+    pub secondary: Option<Suspension>,
     /// Contact of wheels and rails, where dynamics are wanted.
     pub wheel_rail: Option<WheelRailInput>,
-}
-
-/// `train.model`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum ModelInput {
-    /// The wheelsets alone.
-    Unsprung,
-    /// Wheelset, half a bogie.
-    Two,
-    /// Two wheelsets, a bogie that bounces and pitches.
-    Four,
-    /// The same and half the body, which bounces.
-    Five,
-    /// Four wheelsets, two bogies and the body, which bounce and pitch.
-    Ten,
-}
-
-/// `train.body`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BodyInput {
-    /// [kg]
-    pub mass: f64,
-    /// About its centre [kg m²].
-    pub pitch_inertia: f64,
-    /// Between the centres of the bogies [m].
-    pub bogie_centres: f64,
-}
-
-/// `train.bogie`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BogieInput {
-    /// Without wheelsets [kg].
-    pub mass: f64,
-    /// About its centre [kg m²].
-    pub pitch_inertia: f64,
-    /// Between the wheelsets [m].
-    pub wheelbase: f64,
-}
-
-/// `train.wheelset`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct WheelsetInput {
-    /// With all that is unsprung [kg].
-    pub mass: f64,
-}
-
-/// `train.primary`, `train.secondary`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct SuspensionInput {
-    /// k [N/m], both sides together.
-    pub stiffness: f64,
-    /// c [N s/m], both sides together.
-    #[serde(default)]
-    pub damping: f64,
-}
-
-/// One axle.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct AxleInput {
-    /// Distance behind the leading axle [m].
-    pub position: f64,
-    /// Load of the whole axle [N].
-    pub load: f64,
 }
 
 /// `[critical_speed]`
@@ -460,17 +217,7 @@ pub struct DispersionInput {
     /// How many modes, the slowest first; 3 by default.
     pub modes: Option<usize>,
     /// Which waves; Rayleigh by default.
-    pub wave: Option<WaveInput>,
-}
-
-/// `dispersion.wave`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum WaveInput {
-    /// Vertical and along the direction of travel.
-    Rayleigh,
-    /// Across the direction of travel.
-    Love,
+    pub wave: Option<SurfaceWave>,
 }
 
 /// `[track_response]`
@@ -494,7 +241,8 @@ pub struct TrackResponseInput {
 pub struct MeasuredInput {
     /// Speed the record belongs to.
     pub speed: Speed,
-    /// CSV file beside the case: a header line, then x′ [m] (positive ahead) and deflection [m] (positive down).
+    /// CSV file beside the case: a header line, then x′ (positive ahead) and deflection (positive down), in m or
+    /// the units of the header, such as [mm].
     pub file: String,
     /// Legend entry.
     pub label: String,
@@ -523,23 +271,9 @@ pub struct ContourInput {
     /// [m]
     pub spacing: f64,
     /// What to map; vertical displacement by default.
-    pub quantities: Option<Vec<QuantityInput>>,
+    pub quantities: Option<Vec<Quantity>>,
     /// Distance to the periodic images [m]; by default from damping and wavelength.
     pub clearance: Option<f64>,
-}
-
-/// `contour.quantities`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum QuantityInput {
-    /// u_z
-    Vertical,
-    /// v_z
-    VerticalVelocity,
-    /// u_x
-    Along,
-    /// u_y
-    Across,
 }
 
 /// `[receptance]`
@@ -578,88 +312,58 @@ pub struct WheelRailInput {
     /// Radius of the wheels [m], instead of the stiffness: Hertz contact under the mean axle load.
     pub radius: Option<f64>,
     /// Profile of the wheels, with a radius; worn by default.
-    pub tread: Option<TreadInput>,
-}
-
-/// `train.wheel_rail.tread`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum TreadInput {
-    /// G = 3.86e-8 R^−0.115
-    Worn,
-    /// G = 4.57e-8 R^−0.149
-    Coned,
+    pub tread: Option<Tread>,
 }
 
 /// `[irregularity]`
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct IrregularityInput {
-    /// Which spectrum or profile.
-    pub kind: IrregularityKind,
-    /// Class 1 to 6 (fra-break-wavenumber, fra-corner).
-    pub class: Option<u8>,
-    /// Quality: low, high (german), good, poor (sncf).
-    pub quality: Option<String>,
-    /// S₀ at 0.1 cycles/m [m³] (iso8608).
-    pub roughness: Option<f64>,
-    /// Shortest and longest wavelength [m] (all spectra; measured: all of the profile by default).
-    pub wavelengths: Option<SpanInput>,
-    /// Seed of the first profile histories are made for, 1 by default (all spectra); of the wheels' angles (out-of-round).
-    pub seed: Option<u64>,
-    /// How many profiles histories are made for, with this seed and the next; 10 by default (all spectra).
-    pub profiles: Option<usize>,
-    /// CSV file beside the case: a header line, then x [m] and r [m, positive down] (measured).
-    pub file: Option<String>,
-    /// x of the profile abreast of the receivers [m]; its middle by default (measured).
-    pub abreast: Option<f64>,
-    /// [m] (sinusoidal)
-    pub wavelength: Option<f64>,
-    /// [m] (sinusoidal)
-    pub amplitude: Option<f64>,
-    /// Of a cosine at the receivers [rad], 0 by default (sinusoidal).
-    pub phase: Option<f64>,
-    /// Of the wheels [m] (out-of-round).
-    pub radius: Option<f64>,
-    /// Waves around the wheels (out-of-round).
-    pub orders: Option<Vec<OrderInput>>,
-}
-
-/// One of `irregularity.orders`.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct OrderInput {
-    /// Waves around the wheel; 1 is eccentricity.
-    pub order: u32,
-    /// Of the radius [m].
-    pub amplitude: f64,
-    /// [rad], 0 by default.
-    #[serde(default)]
-    pub phase: f64,
-}
-
-/// `irregularity.kind`
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum IrregularityKind {
-    /// FRA classes in the form with break wavenumbers (Corbin).
-    FraBreakWavenumber,
-    /// FRA classes in the AAR form with one corner.
-    FraCorner,
-    /// German low or high disturbance.
-    German,
-    /// SNCF good or poor.
-    Sncf,
-    /// Chinese ballastless high-speed line.
-    ChinaBallastless,
-    /// ISO 8608.
-    Iso8608,
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[schemars(tag = "kind")]
+pub enum IrregularityInput {
     /// A measured profile of the rail.
-    Measured,
+    Measured {
+        /// CSV file beside the case: a header line, then x and r (positive down), in m or the units of
+        /// the header, such as [mm].
+        file: String,
+        /// x of the profile abreast of the receivers [m]; its middle by default.
+        abreast: Option<f64>,
+        /// Shortest and longest wavelength [m]; all of the profile by default.
+        wavelengths: Option<SpanInput>,
+    },
     /// One wave of the rail.
-    Sinusoidal,
+    Sinusoidal {
+        /// [m]
+        wavelength: f64,
+        /// [m]
+        amplitude: f64,
+        /// Of a cosine at the receivers [rad], 0 by default.
+        #[serde(default)]
+        phase: f64,
+    },
     /// Wheels that are not round, on a smooth rail.
-    OutOfRound,
+    OutOfRound {
+        /// Of the wheels [m].
+        radius: f64,
+        /// Waves around the wheels.
+        orders: Vec<Order>,
+        /// Of the wheels' angles, 1 by default.
+        seed: Option<u64>,
+    },
+    /// Profiles with a published spectrum.
+    #[serde(rename = "$other")]
+    #[schemars(untagged)]
+    Random {
+        /// Which.
+        #[serde(rename = "$rest")]
+        #[schemars(flatten)]
+        spectrum: Spectrum,
+        /// Shortest and longest wavelength [m].
+        wavelengths: SpanInput,
+        /// Seed of the first profile histories are made for, 1 by default.
+        seed: Option<u64>,
+        /// How many profiles histories are made for, with this seed and the next; 10 by default.
+        profiles: Option<usize>,
+    },
 }
 
 /// `[free_field]`

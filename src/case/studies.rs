@@ -1,24 +1,25 @@
 //! Study tables → studies, with every fault at its key.
 
-use super::checks::{FARTHEST, span};
+use super::checks::{FARTHEST, ascending, distinct, span};
 use super::error::Finding;
 use super::irregularity;
 use super::schema::{
-    CaseInput, ContourInput, DispersionInput, FreeFieldInput, MeasuredInput, QuantityInput, ReceptanceInput,
-    SoilInput, SpanInput, TrackResponseInput, WaveInput,
+    CaseInput, ContourInput, CriticalSpeedInput, DispersionInput, EquivalentStiffnessInput, FreeFieldInput,
+    MeasuredInput, ReceptanceInput, SoilInput, SpanInput, SurfaceComplianceInput, TrackResponseInput,
 };
 use super::train::Wheels;
 use super::values::{Named, Range, Speed};
 use crate::assessment::Band;
+use crate::columns::{self, Columns};
 use crate::field::{Quantity, Window};
 use crate::math::decimal::arithmetic;
 use crate::quantity::positive;
-use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, ThinLayer};
 use crate::study::{
-    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Receptance, ReceptanceMap, Record,
-    Roughness, Study, SurfaceComplianceTable, TrackResponse, same_speed, tag,
+    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Irregularity, Receptance,
+    ReceptanceMap, Record, Roughness, Study, SurfaceComplianceTable, TrackResponse, same_speed,
 };
+use std::collections::BTreeSet;
 
 /// Least distance to the periodic images of a contour [m].
 const LEAST_CLEARANCE: f64 = 20.0;
@@ -89,32 +90,7 @@ fn speeds(range: &Range<Speed>, path: &str) -> Result<Vec<f64>, Finding> {
     numbers(&plain(range), path, "m/s", NOT_NEGATIVE)
 }
 
-/// Refuses speeds or frequencies that files and keys, which name them to 0.01 `unit`, could not tell apart.
-fn distinct(values: &[f64], path: &str, unit: &str) -> Result<(), Finding> {
-    for (i, value) in values.iter().enumerate() {
-        if values[..i].iter().any(|other| tag(*other) == tag(*value)) {
-            return Err(Finding::new(
-                format!("{path}[{i}]"),
-                format!("{value} {unit} stands there twice, to 0.01 {unit}"),
-            )
-            .help("give each value once"));
-        }
-    }
-    Ok(())
-}
-
-fn ascending(values: &[f64], path: &str) -> Result<(), Finding> {
-    match values.windows(2).position(|pair| pair[1] <= pair[0]) {
-        Some(i) => Err(Finding::new(
-            format!("{path}[{}]", i + 1),
-            format!("{} follows {}: the values must ascend", values[i + 1], values[i]),
-        )
-        .help("sort the list, each value once")),
-        None => Ok(()),
-    }
-}
-
-/// A record's CSV: a header line, then x′ [m] and deflection [m]; lines starting with # are comments.
+/// A record's CSV: x′ and deflection.
 fn record(
     input: &MeasuredInput,
     path: &str,
@@ -125,30 +101,13 @@ fn record(
         Finding::new(&at, format!("cannot read \"{}\": {reason}", input.file))
             .help("the path is relative to the case file")
     })?;
-    let mut record =
-        Record { speed: input.speed.0, label: input.label.clone(), x: Vec::new(), deflection: Vec::new() };
-    let lines = text.lines().enumerate().filter(|(_, l)| !l.trim().is_empty() && !l.starts_with('#'));
-    for (number, line) in lines.skip(1) {
-        let cells: Vec<f64> =
-            line.split(',').filter_map(|c| c.trim().parse().ok()).filter(|v: &f64| v.is_finite()).collect();
-        let [x, deflection] = cells[..] else {
-            return Err(Finding::new(
-                &at,
-                format!(
-                    "{}, line {}: found `{line}`, wanted two numbers: x′ [m], deflection [m]",
-                    input.file,
-                    number + 1
-                ),
-            ));
-        };
-        record.x.push(x);
-        record.deflection.push(deflection);
+    let wanted = "a header line, then x′ [m], deflection [m]";
+    let Columns { x, values: deflection, .. } =
+        columns::read(&text).map_err(|e| Finding::new(&at, format!("{}, {e}", input.file)).help(wanted))?;
+    if x.is_empty() {
+        return Err(Finding::new(&at, format!("{} has no numbers", input.file)).help(wanted));
     }
-    if record.x.is_empty() {
-        return Err(Finding::new(&at, format!("{} has no numbers", input.file))
-            .help("a header line, then x′ [m], deflection [m]"));
-    }
-    Ok(record)
+    Ok(Record { speed: input.speed.0, label: input.label.clone(), x, deflection })
 }
 
 fn track_response(
@@ -204,15 +163,7 @@ fn contour(input: &ContourInput) -> Result<Contour, Finding> {
             return Err(Finding::new("contour.quantities", "the list is empty")
                 .help("allowed: vertical, vertical-velocity, along, across"));
         }
-        Some(list) => list
-            .iter()
-            .map(|q| match q {
-                QuantityInput::Vertical => Quantity::Vertical,
-                QuantityInput::VerticalVelocity => Quantity::VerticalVelocity,
-                QuantityInput::Along => Quantity::Along,
-                QuantityInput::Across => Quantity::Across,
-            })
-            .collect(),
+        Some(list) => list.clone(),
     };
     let speeds = speeds(&input.speeds, "contour.speeds")?;
     distinct(&speeds, "contour.speeds", "m/s")?;
@@ -240,11 +191,7 @@ fn dispersion(input: &DispersionInput) -> Result<Dispersion, Finding> {
         let message = format!("modes is {modes}: it must lie between 1 and {MOST_MODES}");
         return Err(Finding::new("dispersion.modes", message));
     }
-    let wave = match input.wave {
-        None | Some(WaveInput::Rayleigh) => SurfaceWave::Rayleigh,
-        Some(WaveInput::Love) => SurfaceWave::Love,
-    };
-    Ok(Dispersion { frequencies, modes, wave })
+    Ok(Dispersion { frequencies, modes, wave: input.wave.unwrap_or_default() })
 }
 
 /// Distances from the centre line, ascending.
@@ -285,12 +232,8 @@ const SLOWEST: f64 = 1.0;
 /// Longest passage a case may ask for [s].
 const LONGEST_PASSAGE: f64 = 3600.0;
 
-fn free_field(
-    input: &FreeFieldInput,
-    case: &CaseInput,
-    wheels: Option<&Wheels>,
-    files: &dyn Fn(&str) -> Result<String, String>,
-) -> Result<FreeField, Finding> {
+/// The free field, still of a smooth rail.
+fn free_field(input: &FreeFieldInput, case: &CaseInput) -> Result<FreeField, Finding> {
     let speed = speeds(&Range::List(vec![input.speed]), "free_field.speed").map_err(|_| {
         Finding::new("free_field.speed", format!("{} m/s: it must be above zero", input.speed.0))
     })?[0];
@@ -322,76 +265,106 @@ fn free_field(
         return Err(Finding::new("free_field.frequencies", message));
     }
     let bands = Band::range(from, to).map_err(|e| Finding::new("free_field.frequencies", e))?;
-    let roughness = match (&case.irregularity, wheels) {
-        (None, _) => None,
-        (Some(_), None | Some(Wheels { bodies: None, .. })) => {
-            return Err(Finding::new("train", "the wheels have no mass to follow the irregularity with")
-                .help("add unsprung_mass [kg per wheelset] and wheel_rail.stiffness [N/m] or wheel_rail.radius [m]"));
-        }
-        (Some(_), Some(Wheels { contact: None, .. })) => {
-            return Err(Finding::new("train", "the wheels have no contact with a rough rail")
-                .help("add wheel_rail.stiffness [N/m per wheelset] or wheel_rail.radius [m]"));
-        }
-        (Some(irregularity), Some(Wheels { bodies: Some(bodies), contact: Some(contact) })) => {
-            Some(Roughness {
-                bodies: bodies.clone(),
-                contact: *contact,
-                irregularity: irregularity::irregularity(irregularity, files)?,
-            })
-        }
-    };
     // a case that says nothing of solvers gets the quick one where it matters
     let named = |soil: &Named<SoilInput>| matches!(soil, Named::Table(table) if table.solver.is_some());
     let sections = (!case.soil.as_ref().is_some_and(named)).then(|| Solver::ThinLayer(ThinLayer::default()));
-    Ok(FreeField { speed, receivers, passage_time, bands, roughness, sections })
+    Ok(FreeField { speed, receivers, passage_time, bands, roughness: None, sections })
 }
 
-/// The studies a case asks for, in the order of this list.
+/// The wheels on an irregular rail.
+fn roughness(irregularity: Irregularity, wheels: Option<&Wheels>) -> Result<Roughness, Finding> {
+    match wheels {
+        None | Some(Wheels { bodies: None, .. }) => {
+            Err(Finding::new("train", "the wheels have no mass to follow the irregularity with").help(
+                "add unsprung_mass [kg per wheelset] and wheel_rail.stiffness [N/m] or wheel_rail.radius [m]",
+            ))
+        }
+        Some(Wheels { contact: None, .. }) => {
+            Err(Finding::new("train", "the wheels have no contact with a rough rail")
+                .help("add wheel_rail.stiffness [N/m per wheelset] or wheel_rail.radius [m]"))
+        }
+        Some(Wheels { bodies: Some(bodies), contact: Some(contact) }) => {
+            Ok(Roughness { bodies: bodies.clone(), contact: *contact, irregularity })
+        }
+    }
+}
+
+fn critical_speed(input: &CriticalSpeedInput) -> Result<CriticalSpeed, Finding> {
+    let speeds = speeds(&input.speeds, "critical_speed.speeds")?;
+    ascending(&speeds, "critical_speed.speeds")?;
+    Ok(CriticalSpeed { speeds })
+}
+
+fn equivalent_stiffness(input: &EquivalentStiffnessInput) -> Result<EquivalentStiffness, Finding> {
+    Ok(EquivalentStiffness {
+        beta: numbers(&input.beta, "equivalent_stiffness.beta", "rad/m", POSITIVE)?,
+        frequencies: numbers(&input.frequencies, "equivalent_stiffness.frequencies", "Hz", NOT_NEGATIVE)?,
+    })
+}
+
+fn surface_compliance(input: &SurfaceComplianceInput) -> Result<SurfaceComplianceTable, Finding> {
+    Ok(SurfaceComplianceTable {
+        k: numbers(&input.k, "surface_compliance.k", "rad/m", POSITIVE)?,
+        frequencies: numbers(&input.frequencies, "surface_compliance.frequencies", "Hz", NOT_NEGATIVE)?,
+    })
+}
+
+/// Names of the tables that ask for something.
+const STUDIES: [&str; 8] = [
+    "critical_speed",
+    "dispersion",
+    "track_response",
+    "contour",
+    "receptance",
+    "free_field",
+    "equivalent_stiffness",
+    "surface_compliance",
+];
+
+/// The studies a case asks for, in the order of this list, and the fault of each that cannot be; `wheels` are None where the train
+/// is faulty, `spoilt` the tables that were not read.
 pub fn studies(
     input: &CaseInput,
-    wheels: Option<&Wheels>,
+    wheels: Option<Option<&Wheels>>,
+    spoilt: &BTreeSet<String>,
     files: &dyn Fn(&str) -> Result<String, String>,
-) -> Result<Vec<Study>, Finding> {
-    let mut studies = Vec::new();
-    if let Some(study) = &input.critical_speed {
-        let values = speeds(&study.speeds, "critical_speed.speeds")?;
-        ascending(&values, "critical_speed.speeds")?;
-        studies.push(Study::CriticalSpeed(CriticalSpeed { speeds: values }));
+) -> (Vec<Study>, Vec<Finding>) {
+    let irregularity = input.irregularity.as_ref().map(|i| irregularity::irregularity(i, files));
+    let rough = match (&irregularity, wheels) {
+        (Some(Ok(irregularity)), Some(wheels)) if input.free_field.is_some() => {
+            Some(roughness(irregularity.clone(), wheels))
+        }
+        _ => None,
+    };
+    let on_rail = rough.as_ref().and_then(|rough| rough.as_ref().ok());
+    let free = |study| {
+        let smooth = free_field(study, input)?;
+        Ok(Study::FreeField(Box::new(FreeField { roughness: on_rail.cloned(), ..smooth })))
+    };
+    let asked: [Option<Result<Study, Finding>>; 8] = [
+        input.critical_speed.as_ref().map(|s| critical_speed(s).map(Study::CriticalSpeed)),
+        input.dispersion.as_ref().map(|s| dispersion(s).map(Study::Dispersion)),
+        input.track_response.as_ref().map(|s| track_response(s, files).map(Study::TrackResponse)),
+        input.contour.as_ref().map(|s| contour(s).map(Study::Contour)),
+        input.receptance.as_ref().map(|s| receptance(s).map(Study::Receptance)),
+        input.free_field.as_ref().map(free),
+        input.equivalent_stiffness.as_ref().map(|s| equivalent_stiffness(s).map(Study::EquivalentStiffness)),
+        input.surface_compliance.as_ref().map(|s| surface_compliance(s).map(Study::SurfaceCompliance)),
+    ];
+    let none = asked.iter().all(Option::is_none) && !STUDIES.iter().any(|name| spoilt.contains(*name));
+    let unused = irregularity.is_some() && input.free_field.is_none() && !spoilt.contains("free_field");
+    let mut faults = Vec::new();
+    let studies =
+        asked.into_iter().flatten().filter_map(|study| study.map_err(|f| faults.push(f)).ok()).collect();
+    faults.extend(irregularity.and_then(Result::err));
+    faults.extend(rough.and_then(Result::err));
+    if none {
+        let all = STUDIES.map(|name| format!("[{name}]")).join(", ");
+        faults.push(Finding::new("", "the case asks for nothing").help(format!("add at least one of {all}")));
     }
-    if let Some(study) = &input.dispersion {
-        studies.push(Study::Dispersion(dispersion(study)?));
-    }
-    if let Some(study) = &input.track_response {
-        studies.push(Study::TrackResponse(track_response(study, files)?));
-    }
-    if let Some(study) = &input.contour {
-        studies.push(Study::Contour(contour(study)?));
-    }
-    if let Some(study) = &input.receptance {
-        studies.push(Study::Receptance(receptance(study)?));
-    }
-    if let Some(study) = &input.free_field {
-        studies.push(Study::FreeField(Box::new(free_field(study, input, wheels, files)?)));
-    } else if input.irregularity.is_some() {
+    if unused {
         let finding = Finding::new("irregularity", "no study uses the roughness of the rail");
-        return Err(finding.help("add [free_field], or remove [irregularity]"));
+        faults.push(finding.help("add [free_field], or remove [irregularity]"));
     }
-    if let Some(study) = &input.equivalent_stiffness {
-        studies.push(Study::EquivalentStiffness(EquivalentStiffness {
-            beta: numbers(&study.beta, "equivalent_stiffness.beta", "rad/m", POSITIVE)?,
-            frequencies: numbers(&study.frequencies, "equivalent_stiffness.frequencies", "Hz", NOT_NEGATIVE)?,
-        }));
-    }
-    if let Some(study) = &input.surface_compliance {
-        studies.push(Study::SurfaceCompliance(SurfaceComplianceTable {
-            k: numbers(&study.k, "surface_compliance.k", "rad/m", POSITIVE)?,
-            frequencies: numbers(&study.frequencies, "surface_compliance.frequencies", "Hz", NOT_NEGATIVE)?,
-        }));
-    }
-    if studies.is_empty() {
-        return Err(Finding::new("", "the case asks for nothing").help(
-            "add at least one of [critical_speed], [dispersion], [track_response], [contour], [receptance], [free_field], [equivalent_stiffness], [surface_compliance]",
-        ));
-    }
-    Ok(studies)
+    (studies, faults)
 }

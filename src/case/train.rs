@@ -2,10 +2,10 @@
 
 use super::error::CaseError;
 use super::load::{Loader, Resolved};
-use super::schema::{ModelInput, TrainInput, TreadInput};
+use super::schema::TrainInput;
 use super::values::Named;
 use crate::quantity::positive;
-use crate::vehicle::{Axle, BodyError, FourAxle, Hertz, Multibody, Suspension, Train, Tread, VehicleError};
+use crate::vehicle::{Axle, BodyError, FourAxle, Hertz, Multibody, Train, VehicleError, VehicleModel};
 
 /// Longest train [m] and heaviest axle [N] a case may ask for.
 const LONGEST_TRAIN: f64 = 2000.0;
@@ -31,17 +31,6 @@ fn parts(table: &TrainInput) -> [(&'static str, bool); 5] {
         ("primary", table.primary.is_some()),
         ("secondary", table.secondary.is_some()),
     ]
-}
-
-/// The model as a case file says it.
-fn word(model: ModelInput) -> &'static str {
-    match model {
-        ModelInput::Unsprung => "unsprung",
-        ModelInput::Two => "two",
-        ModelInput::Four => "four",
-        ModelInput::Five => "five",
-        ModelInput::Ten => "ten",
-    }
 }
 
 /// The key a fault of a constructor names.
@@ -83,33 +72,8 @@ fn four_axle(vehicle: &Place) -> Result<Option<FourAxle>, CaseError> {
             "remove axles, or body, bogie, wheelset, primary, secondary",
         ));
     }
-    let four = FourAxle {
-        body_mass: body.mass,
-        body_pitch_inertia: body.pitch_inertia,
-        bogie_centres: body.bogie_centres,
-        bogie_mass: bogie.mass,
-        bogie_pitch_inertia: bogie.pitch_inertia,
-        wheelbase: bogie.wheelbase,
-        wheelset_mass: wheelset.mass,
-        primary: Suspension { stiffness: primary.stiffness, damping: primary.damping },
-        secondary: Suspension { stiffness: secondary.stiffness, damping: secondary.damping },
-    };
+    let four = FourAxle { body, bogie, wheelset, primary, secondary };
     four.checked().map(Some).map_err(|e| body_fault(vehicle, &e))
-}
-
-/// One vehicle of the `model`, all four wheelsets; `unsprung` replaces the mass of its wheelsets where they are alone.
-fn one(four: &FourAxle, model: ModelInput, unsprung: Option<f64>) -> Result<Multibody, BodyError> {
-    let bogies = [0.0, four.bogie_centres];
-    match model {
-        ModelInput::Unsprung => {
-            Multibody::unsprung(unsprung.unwrap_or(four.wheelset_mass), four.axle_load())?
-                .row(&four.positions())
-        }
-        ModelInput::Two => Multibody::two(four)?.row(&four.positions()),
-        ModelInput::Four => Multibody::four(four)?.row(&bogies),
-        ModelInput::Five => Multibody::five(four)?.row(&bogies),
-        ModelInput::Ten => Multibody::ten(four),
-    }
 }
 
 /// Places of `count` vehicles behind the first [m].
@@ -171,12 +135,8 @@ fn contact(place: &Place, train: &Train) -> Result<Option<f64>, CaseError> {
             above_zero(place, "wheel_rail.stiffness", stiffness, "N/m").map(Some)
         }
         (None, Some(radius), tread) => {
-            let tread = match tread {
-                None | Some(TreadInput::Worn) => Tread::Worn,
-                Some(TreadInput::Coned) => Tread::Coned,
-            };
             let load = train.total_load() / train.axles().len() as f64;
-            Hertz::new(tread, radius)
+            Hertz::new(tread.unwrap_or_default(), radius)
                 .and_then(|hertz| hertz.wheelset_stiffness(load))
                 .map(Some)
                 .map_err(|e| place.fault(&format!("wheel_rail.{}", key(&e)), e))
@@ -235,10 +195,10 @@ pub fn train(loader: &Loader, named: &Named<TrainInput>) -> Result<(Train, Wheel
         above_zero(mass_at, "unsprung_mass", mass, "kg")?;
     }
     let four = four_axle(vehicle)?;
-    let several = model.filter(|m| *m != ModelInput::Unsprung);
+    let several = model.filter(|m| *m != VehicleModel::Unsprung);
     if let (Some(model), None) = (several, &four) {
         let message =
-            format!("the model \"{}\" needs body, bogie, wheelset, primary and secondary", word(model));
+            format!("the model \"{}\" needs body, bogie, wheelset, primary and secondary", model.name());
         return Err(model_at.advise(
             "model",
             message,
@@ -247,7 +207,7 @@ pub fn train(loader: &Loader, named: &Named<TrainInput>) -> Result<(Train, Wheel
     }
     if let (Some(model), Some(_)) = (several, mass) {
         let message =
-            format!("the model \"{}\" takes the mass of its wheelsets from wheelset.mass", word(model));
+            format!("the model \"{}\" takes the mass of its wheelsets from wheelset.mass", model.name());
         return Err(mass_at.advise("unsprung_mass", message, "remove it, or say model = \"unsprung\""));
     }
     if let (Some(_), None, None) = (model, &four, mass) {
@@ -261,7 +221,7 @@ pub fn train(loader: &Loader, named: &Named<TrainInput>) -> Result<(Train, Wheel
                 let help = "add model = \"unsprung\", \"two\", \"four\", \"five\" or \"ten\"";
                 return Err(vehicle.advise("", "missing key `model`: which of the bodies move", help));
             };
-            let span = four.bogie_centres + four.wheelbase;
+            let span = four.body.bogie_centres + four.bogie.wheelbase;
             if let Some(&length) = offsets.get(1).filter(|length| **length <= span) {
                 let place = first(|t| t.length.is_some());
                 let message =
@@ -274,7 +234,8 @@ pub fn train(loader: &Loader, named: &Named<TrainInput>) -> Result<(Train, Wheel
             } else {
                 offsets
             };
-            let bodies = one(&four, model, mass)
+            let bodies = model
+                .of(&four, mass)
                 .and_then(|one| one.row(&places))
                 .map_err(|e| body_fault(vehicle, &e))?;
             reasonable(bodies.axles(), vehicle, "body")?;

@@ -1,11 +1,10 @@
 //! What may stand for a number at the door: speeds with units, ranges, names of library entries.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
+use serde::Deserialize;
+use serde::de::{Deserializer, Error, Visitor};
 use std::borrow::Cow;
 use std::fmt;
-use std::marker::PhantomData;
 
 /// A speed [m/s]: a number, or text such as "250 km/h".
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,11 +66,15 @@ impl JsonSchema for Speed {
 }
 
 /// Several values: a list, or { from, to, step }.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(deny_unknown_fields, expecting = "a list [a, b, …] or a range { from = …, to = …, step = … }")]
+#[schemars(untagged, rename = "Range_of_{T}")]
 pub enum Range<T> {
     /// As listed.
-    List(Vec<T>),
+    #[serde(rename = "$list")]
+    List(#[schemars(length(min = 1))] Vec<T>),
     /// from, from + step, … up to `to`.
+    #[serde(rename = "$table")]
     Steps {
         /// First value.
         from: T,
@@ -82,94 +85,17 @@ pub enum Range<T> {
     },
 }
 
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StepsInput<T> {
-    from: T,
-    to: T,
-    step: T,
-}
-
-impl<'de, T: Deserialize<'de>> Deserialize<'de> for Range<T> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Door<T>(PhantomData<T>);
-        impl<'de, T: Deserialize<'de>> Visitor<'de> for Door<T> {
-            type Value = Range<T>;
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a list [a, b, …] or a range { from = …, to = …, step = … }")
-            }
-            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Range<T>, A::Error> {
-                let mut values = Vec::new();
-                while let Some(value) = seq.next_element()? {
-                    values.push(value);
-                }
-                Ok(Range::List(values))
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Range<T>, A::Error> {
-                let StepsInput { from, to, step } = StepsInput::deserialize(MapAccessDeserializer::new(map))?;
-                Ok(Range::Steps { from, to, step })
-            }
-        }
-        deserializer.deserialize_any(Door(PhantomData))
-    }
-}
-
-impl<T: JsonSchema> JsonSchema for Range<T> {
-    fn schema_name() -> Cow<'static, str> {
-        format!("Range_of_{}", T::schema_name()).into()
-    }
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let value = generator.subschema_for::<T>();
-        json_schema!({
-            "anyOf": [
-                { "type": "array", "items": value, "minItems": 1 },
-                {
-                    "type": "object",
-                    "properties": { "from": value, "to": value, "step": value },
-                    "required": ["from", "to", "step"],
-                    "additionalProperties": false
-                }
-            ]
-        })
-    }
-}
-
 /// A table, or the name of a library entry (or of a TOML file beside the case) that stands for it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(expecting = "a table, or the name of a library entry")]
+#[schemars(untagged, rename = "Named_{T}")]
 pub enum Named<T> {
     /// By name.
+    #[serde(rename = "$text")]
     Name(String),
     /// In full.
+    #[serde(rename = "$table")]
     Table(T),
-}
-
-impl<'de, T: Deserialize<'de>> Deserialize<'de> for Named<T> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Door<T>(PhantomData<T>);
-        impl<'de, T: Deserialize<'de>> Visitor<'de> for Door<T> {
-            type Value = Named<T>;
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("a table, or the name of a library entry")
-            }
-            fn visit_str<E: Error>(self, name: &str) -> Result<Named<T>, E> {
-                Ok(Named::Name(name.to_owned()))
-            }
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Named<T>, A::Error> {
-                T::deserialize(MapAccessDeserializer::new(map)).map(Named::Table)
-            }
-        }
-        deserializer.deserialize_any(Door(PhantomData))
-    }
-}
-
-impl<T: JsonSchema> JsonSchema for Named<T> {
-    fn schema_name() -> Cow<'static, str> {
-        format!("Named_{}", T::schema_name()).into()
-    }
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let table = generator.subschema_for::<T>();
-        json_schema!({ "anyOf": [{ "type": "string", "description": "name of a library entry" }, table] })
-    }
 }
 
 #[cfg(test)]

@@ -5,8 +5,9 @@ use crate::concern::Concern;
 use crate::dataset::Attribute;
 use crate::output::ReportTable;
 use crate::progress::Observer;
+use crate::railway::Railway;
+use crate::study::Outcome;
 use crate::study::comparison::{Comparison, Difference};
-use crate::study::{Model, Outcome};
 use serde_json::{Map, Value};
 
 /// What a second solver says to the answers of the first.
@@ -38,11 +39,11 @@ impl Verification {
     /// second solver cannot answer is a concern, not a failure: the first answer stands.
     pub(super) fn run(
         case: &Case,
-        witness: &Model,
+        witness: &Railway,
         outcomes: &mut [(&'static str, Outcome)],
         observer: &dyn Observer,
     ) -> Self {
-        let (first, solver) = (report::solver(&case.model), report::solver(witness));
+        let (first, solver) = (report::solver(&case.railway), report::solver(witness));
         let mut studies = Vec::new();
         for (study, (name, outcome)) in case.studies.iter().zip(outcomes) {
             let comparison = match study.run(witness, &Verifying(observer)) {

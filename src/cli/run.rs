@@ -10,7 +10,12 @@ use std::time::Instant;
 
 fn load(path: &Path) -> Result<Case, u8> {
     Case::load(path).map_err(|error| {
-        complain(&error.into());
+        let faults = error.each();
+        let count = faults.len();
+        faults.into_iter().for_each(|fault| complain(&fault.into()));
+        if count > 1 {
+            eprintln!("{count} faults");
+        }
         BAD_INPUT
     })
 }
@@ -20,6 +25,9 @@ pub fn check(path: &Path) -> u8 {
         Ok(case) => {
             let studies: Vec<&str> = case.studies.iter().map(|s| s.name()).collect();
             say(&format!("{}: {}; studies: {}", path.display(), case.title, studies.join(", ")));
+            for concern in &case.concerns {
+                say(&format!("Concern: {concern}"));
+            }
             DONE
         }
         Err(code) => code,

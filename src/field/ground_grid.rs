@@ -5,10 +5,13 @@ use crate::math::fourier::Axis;
 use crate::soil::strip::sinc;
 use ndarray::Array2;
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
 use std::f64::consts::PI;
 
 /// What is wanted of the ground's surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
 pub enum Quantity {
     /// u_z [m], positive down.
     Vertical,

@@ -1,15 +1,69 @@
 //! What a track stands on: k(β, ω) [N/m²], nothing more.
 
+mod filonenko_borodich;
+mod hetenyi;
+mod kerr;
 mod layered_soil;
+mod pasternak;
+mod springs;
 mod winkler;
 
+pub use filonenko_borodich::FilonenkoBorodich;
+pub use hetenyi::Hetenyi;
+pub use kerr::Kerr;
 pub use layered_soil::LayeredSoil;
+pub use pasternak::Pasternak;
+pub use springs::Springs;
 pub use winkler::Winkler;
 
 use crate::quantity::OutOfRange;
 use crate::soil::SoilError;
+use crate::track::{Stack, TrackError};
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
 use thiserror::Error;
+
+/// A published foundation of springs, by its parameters per metre of track. Source: section 2.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[schemars(tag = "kind")]
+pub enum FoundationModel {
+    /// Independent springs.
+    Winkler(Winkler),
+    /// Springs under a stretched membrane.
+    FilonenkoBorodich(FilonenkoBorodich),
+    /// Springs under a plate that bends.
+    Hetenyi(Hetenyi),
+    /// Springs under a layer that shears.
+    Pasternak(Pasternak),
+    /// Springs on a layer that shears, on springs.
+    Kerr(Kerr),
+}
+
+impl FoundationModel {
+    /// Its members and links, to stand on rock.
+    fn stack(&self) -> Result<Stack, TrackError> {
+        match self {
+            Self::Winkler(model) => model.stack(),
+            Self::FilonenkoBorodich(model) => model.stack(),
+            Self::Hetenyi(model) => model.stack(),
+            Self::Pasternak(model) => model.stack(),
+            Self::Kerr(model) => model.stack(),
+        }
+    }
+
+    /// What it is, and its author.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Winkler(_) => "independent springs (Winkler)",
+            Self::FilonenkoBorodich(_) => "springs under a stretched membrane (Filonenko-Borodich)",
+            Self::Hetenyi(_) => "springs under a plate that bends (Hetényi)",
+            Self::Pasternak(_) => "springs under a layer that shears (Pasternak)",
+            Self::Kerr(_) => "springs on a layer that shears, on springs (Kerr)",
+        }
+    }
+}
 
 /// A stiffness with what is known of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,6 +129,9 @@ pub enum FoundationError {
     /// A quantity out of its range.
     #[error(transparent)]
     OutOfRange(#[from] OutOfRange),
+    /// Springs that cannot be built.
+    #[error(transparent)]
+    Track(#[from] TrackError),
     /// Waves of undamped ground are real poles of the integral.
     #[error(
         "the ground has no damping and the phase speed {phase_speed:.1} m/s exceeds its slowest wave ({slowest:.1} m/s): \

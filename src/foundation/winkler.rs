@@ -1,53 +1,27 @@
-//! Independent springs.
+//! Winkler's foundation: independent springs.
 
-use super::{Foundation, FoundationError, Moving, Stiffness};
-use crate::math::complex::sign;
-use crate::quantity::{not_negative, positive};
-use num_complex::Complex64;
+use crate::track::{Link, Member, Stack, TrackError};
+use schemars::JsonSchema;
+use serde::Deserialize;
 
-/// k(1 + iη sgn ω) + iωc, the same for every β. Source: Eq. (2), (19), (23).
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// k(1 + iη sgn ω) + iωc at every β. Source: Eqs (2), (19), (23).
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(deny_unknown_fields)]
 pub struct Winkler {
-    stiffness: f64,
-    damping: f64,
-    loss_factor: f64,
+    /// k [N/m²]
+    pub stiffness: f64,
+    /// c [N s/m²]
+    #[serde(default)]
+    pub damping: f64,
+    /// η
+    #[serde(default)]
+    pub loss_factor: f64,
 }
 
 impl Winkler {
-    /// Springs of `stiffness` k [N/m²], viscous `damping` c [N s/m²] and `loss_factor` η.
-    ///
-    /// # Errors
-    /// A stiffness that is not positive, negative damping.
-    pub fn new(stiffness: f64, damping: f64, loss_factor: f64) -> Result<Self, FoundationError> {
-        Ok(Self {
-            stiffness: positive("stiffness", stiffness, "N/m²")?,
-            damping: not_negative("damping", damping, "N s/m²")?,
-            loss_factor: not_negative("loss_factor", loss_factor, "")?,
-        })
-    }
-
-    fn at(&self, omega: f64) -> Complex64 {
-        Complex64::new(self.stiffness, self.stiffness * self.loss_factor * sign(omega) + omega * self.damping)
-    }
-}
-
-impl Foundation for Winkler {
-    fn stiffness_to(&self, _beta: f64, omega: f64, _relative: f64) -> Result<Stiffness, FoundationError> {
-        Ok(Stiffness { value: self.at(omega), relative_error: 0.0, converged: true, count: 0 })
-    }
-
-    fn moving(
-        &self,
-        speed: f64,
-        _from: f64,
-        _to: f64,
-        _allowed: &dyn Fn(f64, Complex64) -> f64,
-    ) -> Result<Moving<'_>, FoundationError> {
-        Ok(Moving {
-            stiffness: Box::new(move |beta| self.at(-beta * speed)),
-            converged: true,
-            worst: 0.0,
-            count: 0,
-        })
+    /// Springs under nothing.
+    pub(super) fn stack(&self) -> Result<Stack, TrackError> {
+        let springs = Link::spring(self.stiffness, self.damping, self.loss_factor)?;
+        Ok(Stack::new(vec![Member::mass(0.0)?], vec![springs]))
     }
 }

@@ -1,5 +1,7 @@
 //! Vertical profile of Chinese ballastless high-speed lines.
 
+use schemars::JsonSchema;
+use serde::Deserialize;
 use std::f64::consts::TAU;
 
 /// Where the power changes [cycles/m].
@@ -16,7 +18,7 @@ pub(super) const VALID: (f64, f64) = (2.0, 200.0);
 ///
 /// The pieces meet to 0.4 % (test `pieces_meet`): the coefficients are rounded in the standard. This is its mean spectrum.
 /// Source: TB/T 3352-2014.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 pub struct ChinaBallastless;
 
 impl ChinaBallastless {

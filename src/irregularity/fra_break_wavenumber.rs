@@ -1,6 +1,10 @@
 //! Vertical profile by FRA class in the form with break wavenumbers: what the source paper means by "FRA".
 
 use super::IrregularityError;
+use crate::quantity::keyed;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde::de::{Deserializer, Error};
 use std::f64::consts::TAU;
 
 /// φ₁ and φ₂ [cycles/m]
@@ -14,9 +18,19 @@ pub(super) const VALID: (f64, f64) = (1.524, 304.8);
 ///
 /// Source: Corbin 1980, FRA/ORD-80/22; Hamid & Yang 1981, Transp. Res. Rec. 838; range of wavelengths as quoted by Cantero 2022,
 /// SoftwareX 20:101253, who has A some ten times smaller after Frýba 1996 (15.53e-8 m for class 1): not followed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(deny_unknown_fields, remote = "Self")]
+#[schemars(rename = "FraBreakWavenumber")]
 pub struct FraBreakWavenumber {
+    /// 1 worst, 6 best.
+    #[schemars(range(min = 1, max = 6))]
     class: u8,
+}
+
+impl<'de> Deserialize<'de> for FraBreakWavenumber {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Self::new(Self::deserialize(deserializer)?.class).map_err(|e| D::Error::custom(keyed("class", e)))
+    }
 }
 
 impl FraBreakWavenumber {

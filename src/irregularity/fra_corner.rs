@@ -1,6 +1,10 @@
 //! Vertical profile by FRA class in the form of the Association of American Railroads, with one corner wavenumber.
 
 use super::IrregularityError;
+use crate::quantity::keyed;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde::de::{Deserializer, Error};
 
 /// k
 const K: f64 = 0.25;
@@ -15,9 +19,19 @@ pub(super) const VALID: (f64, f64) = (1.524, 304.8);
 ///
 /// Source: Fries & Coffey 1990, J. Dyn. Syst. Meas. Control 112, as quoted by Lei & Noda 2002, J. Sound Vib. 258:147, who
 /// use k = 0.25 and A in cm² rad/m; range of wavelengths as quoted by Cantero 2022, SoftwareX 20:101253.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(deny_unknown_fields, remote = "Self")]
+#[schemars(rename = "FraCorner")]
 pub struct FraCorner {
+    /// 1 worst, 6 best.
+    #[schemars(range(min = 1, max = 6))]
     class: u8,
+}
+
+impl<'de> Deserialize<'de> for FraCorner {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Self::new(Self::deserialize(deserializer)?.class).map_err(|e| D::Error::custom(keyed("class", e)))
+    }
 }
 
 impl FraCorner {

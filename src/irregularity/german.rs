@@ -1,5 +1,8 @@
 //! Vertical profile of German high-speed lines: low and high disturbance, the same as ERRI B176.
 
+use schemars::JsonSchema;
+use serde::Deserialize;
+
 /// Ω_c and Ω_r [rad/m]
 const CORNERS: (f64, f64) = (0.8246, 0.0206);
 /// Wavelengths [m] for which the formula is commonly used.
@@ -10,7 +13,8 @@ pub(super) const VALID: (f64, f64) = (3.0, 150.0);
 ///
 /// Source: Claus & Schiehlen 1998, Veh. Syst. Dyn. 29, after ORE B176; range of wavelengths as quoted by Cantero 2022,
 /// SoftwareX 20:101253.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
 pub enum German {
     /// Low disturbance: lines for more than 250 km/h.
     Low,
@@ -56,7 +60,7 @@ mod tests {
         let f = |o: f64| ((o / r).atan() / r - (o / c).atan() / c) * c * c / (c * c - r * r);
         let tau = std::f64::consts::TAU;
         let exact = (4.032e-7 * (f(tau / 3.0) - f(tau / 25.0))).sqrt();
-        let got = Spectrum::German(German::Low).band_rms(3.0, 25.0);
+        let got = Spectrum::German { quality: German::Low }.band_rms(3.0, 25.0);
         assert!((got / exact - 1.0).abs() < 1e-12, "{got} {exact}");
         assert!((got - 0.984e-3).abs() < 0.001e-3, "{got}");
     }

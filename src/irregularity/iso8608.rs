@@ -2,6 +2,9 @@
 
 use super::IrregularityError;
 use crate::quantity::positive;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde::de::{Deserializer, Error};
 use std::f64::consts::TAU;
 
 /// n₀ [cycles/m]
@@ -12,10 +15,21 @@ pub(super) const VALID: (f64, f64) = (1.0 / 2.83, 1.0 / 0.011);
 /// S(n) = S₀ (n/n₀)^−2, n₀ = 0.1 cycles/m, one-sided, per cycle/m; here divided by 2π.
 ///
 /// Source: ISO 8608:2016; geometric means 16 · 4^i · 1e-6 m³ of classes A to H.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(deny_unknown_fields, remote = "Self")]
+#[schemars(rename = "Iso8608")]
 pub struct Iso8608 {
+    /// S₀ at 0.1 cycles/m [m³].
+    #[serde(rename = "roughness")]
     s_0: f64,
+    #[serde(skip)]
     class: Option<char>,
+}
+
+impl<'de> Deserialize<'de> for Iso8608 {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Self::new(Self::deserialize(deserializer)?.s_0).map_err(D::Error::custom)
+    }
 }
 
 impl Iso8608 {

@@ -1,6 +1,7 @@
 //! A measured profile as a Fourier series.
 
 use super::{Component, IrregularityError, Realisation};
+use crate::columns::{self, Columns};
 use crate::math::fourier;
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
@@ -8,8 +9,8 @@ use std::f64::consts::{PI, TAU};
 /// Points a profile needs at least.
 const LEAST: usize = 8;
 
-/// The profile in `csv`: a header line, then x [m] and r [m, positive down] in each line with a comma between them, x rising; empty
-/// lines are skipped.
+/// The profile in `csv`: a header line, then x and r (positive down) in each line, x rising, in metres unless the header names
+/// another unit ([`columns::read`]).
 ///
 /// r is a Fourier series over the length of the profile and one more spacing, Ω_j = 2πj/L. It goes through every measured
 /// point, less mean and slope. What is lost: mean and slope (line of least squares); waves longer than the
@@ -34,38 +35,14 @@ pub fn measured(csv: &str) -> Result<Realisation, IrregularityError> {
 
 /// Positions [m] and heights [m].
 fn read(csv: &str) -> Result<(Vec<f64>, Vec<f64>), IrregularityError> {
-    let (mut x, mut r) = (Vec::<f64>::new(), Vec::new());
-    let mut lines =
-        csv.lines().enumerate().map(|(i, text)| (i + 1, text.trim())).filter(|(_, t)| !t.is_empty());
-    match lines.next() {
-        Some((line, found)) if numbers(found).is_some() => {
-            return Err(IrregularityError::Header { line, found: found.to_owned() });
-        }
-        _ => {}
-    }
-    for (line, found) in lines {
-        let Some((position, height)) = numbers(found) else {
-            return Err(IrregularityError::Line { line, found: found.to_owned() });
-        };
-        if let Some(&before) = x.last()
-            && position <= before
-        {
-            return Err(IrregularityError::NotRising { line, x: position, before });
-        }
-        x.push(position);
-        r.push(height);
+    let Columns { x, values, lines } = columns::read(csv)?;
+    if let Some(i) = x.windows(2).position(|x| x[1] <= x[0]) {
+        return Err(IrregularityError::NotRising { line: lines[i + 1], x: x[i + 1], before: x[i] });
     }
     if x.len() < LEAST {
         return Err(IrregularityError::TooFew { found: x.len(), least: LEAST });
     }
-    Ok((x, r))
-}
-
-/// Two finite numbers and nothing else.
-fn numbers(line: &str) -> Option<(f64, f64)> {
-    let (x, r) = line.split_once(',')?;
-    let number = |text: &str| text.trim().parse().ok().filter(|v: &f64| v.is_finite());
-    Some((number(x)?, number(r)?))
+    Ok((x, values))
 }
 
 /// Linear interpolation of (x, r) at as many equal steps.

@@ -26,28 +26,40 @@ pub use realisation::{Component, Realisation};
 pub use sinusoidal::sinusoidal;
 pub use sncf::Sncf;
 
+use crate::columns::ColumnsError;
 use crate::math::quadrature::{self, Tolerance};
 use crate::quantity::OutOfRange;
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
 use std::f64::consts::TAU;
 use thiserror::Error;
 
 /// A published spectrum of the vertical profile.
 ///
 /// "FRA" names two families that do not agree: [`FraCorner`] and [`FraBreakWavenumber`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[schemars(tag = "kind")]
 pub enum Spectrum {
     /// AAR form with one corner wavenumber, FRA classes 1 to 6.
     FraCorner(FraCorner),
     /// Form with break wavenumbers (Corbin; Hamid & Yang), FRA classes 1 to 6.
     FraBreakWavenumber(FraBreakWavenumber),
     /// German low or high disturbance, ERRI B176.
-    German(German),
+    German {
+        /// Which of the two.
+        quality: German,
+    },
     /// SNCF good or poor line.
-    Sncf(Sncf),
+    Sncf {
+        /// Which of the two.
+        quality: Sncf,
+    },
     /// Chinese ballastless high-speed line.
     ChinaBallastless(ChinaBallastless),
     /// A road, or a rail described like one.
+    #[serde(rename = "iso8608")]
     Iso8608(Iso8608),
 }
 
@@ -59,8 +71,8 @@ impl Spectrum {
         match self {
             Self::FraCorner(s) => s.one_sided(wavenumber),
             Self::FraBreakWavenumber(s) => s.one_sided(wavenumber),
-            Self::German(s) => s.one_sided(wavenumber),
-            Self::Sncf(s) => s.one_sided(wavenumber),
+            Self::German { quality: s } => s.one_sided(wavenumber),
+            Self::Sncf { quality: s } => s.one_sided(wavenumber),
             Self::ChinaBallastless(s) => s.one_sided(wavenumber),
             Self::Iso8608(s) => s.one_sided(wavenumber),
         }
@@ -92,8 +104,8 @@ impl Spectrum {
         match self {
             Self::FraCorner(_) => Some(fra_corner::VALID),
             Self::FraBreakWavenumber(_) => Some(fra_break_wavenumber::VALID),
-            Self::German(_) => Some(german::VALID),
-            Self::Sncf(_) => Some(sncf::VALID),
+            Self::German { .. } => Some(german::VALID),
+            Self::Sncf { .. } => Some(sncf::VALID),
             Self::ChinaBallastless(_) => Some(china_ballastless::VALID),
             Self::Iso8608(_) => Some(iso8608::VALID),
         }
@@ -104,8 +116,8 @@ impl Spectrum {
         match self {
             Self::FraCorner(s) => s.text(),
             Self::FraBreakWavenumber(s) => s.text(),
-            Self::German(s) => s.text(),
-            Self::Sncf(s) => s.text(),
+            Self::German { quality: s } => s.text(),
+            Self::Sncf { quality: s } => s.text(),
             Self::ChinaBallastless(s) => s.text(),
             Self::Iso8608(s) => s.text(),
         }
@@ -153,24 +165,9 @@ pub enum IrregularityError {
         /// What was given.
         order: u32,
     },
-    /// The first line of a measured profile is not a header.
-    #[error("line {line} reads \"{found}\": it must be a header naming the two columns, x [m] and r [m]")]
-    Header {
-        /// From 1.
-        line: usize,
-        /// The line.
-        found: String,
-    },
-    /// A line of a measured profile that is not two numbers.
-    #[error(
-        "line {line} reads \"{found}\": it must be two finite numbers, x [m] and r [m], with a comma between them"
-    )]
-    Line {
-        /// From 1.
-        line: usize,
-        /// The line.
-        found: String,
-    },
+    /// A measured profile that is not two columns.
+    #[error(transparent)]
+    Columns(#[from] ColumnsError),
     /// Positions of a measured profile that do not rise.
     #[error(
         "line {line} stands at x = {x} m, not beyond the line before it at {before} m: sort the profile by x"
@@ -199,10 +196,10 @@ mod tests {
 
     fn all() -> Vec<Spectrum> {
         let mut all = vec![
-            Spectrum::German(German::Low),
-            Spectrum::German(German::High),
-            Spectrum::Sncf(Sncf::Good),
-            Spectrum::Sncf(Sncf::Poor),
+            Spectrum::German { quality: German::Low },
+            Spectrum::German { quality: German::High },
+            Spectrum::Sncf { quality: Sncf::Good },
+            Spectrum::Sncf { quality: Sncf::Poor },
             Spectrum::ChinaBallastless(ChinaBallastless),
         ];
         for class in 1..=6 {
@@ -277,7 +274,7 @@ mod tests {
             // measured 2e-16: the breaks of the Chinese spectrum are ends of panels
             assert!(((parts[0] + parts[1]) / whole - 1.0).abs() < 1e-12, "{spectrum:?}");
         }
-        let spectrum = Spectrum::Sncf(Sncf::Good);
+        let spectrum = Spectrum::Sncf { quality: Sncf::Good };
         assert!(spectrum.band_rms(0.0, 3.0).is_nan() && spectrum.band_rms(1.0, -3.0).is_nan());
         assert_eq!(spectrum.band_rms(3.0, 3.0), 0.0);
     }

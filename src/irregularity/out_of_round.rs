@@ -3,16 +3,20 @@
 use super::realisation::SplitMix64;
 use super::{Component, IrregularityError, Realisation};
 use crate::quantity::{finite, positive};
+use schemars::JsonSchema;
+use serde::Deserialize;
 use std::f64::consts::{PI, TAU};
 
 /// One harmonic of the radius of a wheel: amplitude · cos(order · angle + phase), positive outward.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(deny_unknown_fields)]
 pub struct Order {
     /// Waves around the wheel: 1 is eccentricity.
     pub order: u32,
-    /// [m]
+    /// Of the radius [m].
     pub amplitude: f64,
-    /// [rad]
+    /// [rad], 0 by default.
+    #[serde(default)]
     pub phase: f64,
 }
 

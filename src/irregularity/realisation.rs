@@ -211,7 +211,7 @@ mod tests {
     fn ensemble_has_the_variance_asked_for() {
         // r² at one place over 4000 seeds: E r² = σ², var r² = 2σ⁴ − (3/8)Σ a⁴ ≈ 2σ⁴, so that the mean is off by √(2/4000) = 2.2 %
         // (one standard deviation); measured −2.4 %, and the mean 1.1 % of σ where 1.6 % are expected
-        let spectrum = Spectrum::German(German::Low);
+        let spectrum = Spectrum::German { quality: German::Low };
         let (mut sum, mut square, mut fourth) = (0.0, 0.0, 0.0);
         let mut sigma2 = 0.0;
         for seed in 0..4000 {

@@ -1,5 +1,7 @@
 //! Vertical profile of French lines.
 
+use schemars::JsonSchema;
+use serde::Deserialize;
 use std::f64::consts::TAU;
 
 /// n₀ [1/m]
@@ -11,7 +13,8 @@ pub(super) const VALID: (f64, f64) = (2.0, 40.0);
 ///
 /// Source: Berawi 2013, doctoral thesis, University of Porto (A = 308 · 0.509e-6 and 308 · 1.790e-6 m³, n₀ = 0.0489 1/m, that
 /// is 0.307 rad/m; 2 to 40 m).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
 pub enum Sncf {
     /// A good line.
     Good,
@@ -53,7 +56,7 @@ mod tests {
         // ∫ A/(1 + n/n₀)³ dn = −A n₀/2 (1 + n/n₀)^−2; measured 2e-16
         let f = |n: f64| -308.0 * 0.509e-6 * N_0 / 2.0 * (1.0 + n / N_0).powi(-2);
         let exact = (f(0.5) - f(1.0 / 40.0)).sqrt();
-        let got = Spectrum::Sncf(Sncf::Good).band_rms(2.0, 40.0);
+        let got = Spectrum::Sncf { quality: Sncf::Good }.band_rms(2.0, 40.0);
         assert!((got / exact - 1.0).abs() < 1e-12, "{got} {exact}");
     }
 }

@@ -20,6 +20,51 @@ const BAR: (f64, f64) = (18.0, 22.0);
 /// Steps of the colours; one more place of the palette is for what is not a number. Indexed images are small.
 const STEPS: u8 = 255;
 
+/// Where field and colour bar stand on the page.
+struct Layout {
+    frame: Area,
+    bar: Area,
+    /// A flat map has its colour bar below, where the label has room.
+    flat: bool,
+    /// How far an upright label reaches beyond the frame [px].
+    overhang: f64,
+}
+
+impl Layout {
+    /// The frame that holds `x_span` by `y_span`, to scale if the figure wants it, and the bar of `range`.
+    fn new(figure: &MapFigure, x_span: (f64, f64), y_span: (f64, f64), range: (f64, f64)) -> Self {
+        let lengths = (x_span.1 - x_span.0, y_span.1 - y_span.0);
+        let ticks = |span| Scale::new(span, false, (1.0, 0.0)).ticks(8);
+        let left = (label_room(&ticks(y_span)) + 46.0).round();
+        let flat = figure.equal_axes && lengths.1 < 0.4 * lengths.0;
+        let (right, room) = if flat {
+            (34.0, WIDTH - left - 34.0)
+        } else {
+            let right = BAR.0 + BAR.1 + label_room(&ticks(range)) + 48.0;
+            (right, LARGEST.0.min(WIDTH - left - right))
+        };
+        let (width, height) = if figure.equal_axes {
+            let per_metre = (room / lengths.0).min(LARGEST.1 / lengths.1);
+            (per_metre * lengths.0, per_metre * lengths.1)
+        } else {
+            (room, HEIGHT)
+        };
+        // A narrow map is centred on the page, with its colour bar.
+        let start = (left + 0.5 * (WIDTH - left - right - width)).round();
+        let beside = if flat { "" } else { &figure.value_label };
+        let longest = text_width(&figure.y_label, LABEL).max(text_width(beside, LABEL));
+        let overhang = 0.5 * (longest - height);
+        let top = (40.0 + overhang).max(52.0).round();
+        let frame = Area { left: start, top, right: start + width.round(), bottom: top + height.round() };
+        let bar = if flat {
+            Area { top: frame.bottom + 70.0, bottom: frame.bottom + 70.0 + BAR.0, ..frame }
+        } else {
+            Area { left: frame.right + BAR.1, right: frame.right + BAR.1 + BAR.0, ..frame }
+        };
+        Self { frame, bar, flat, overhang }
+    }
+}
+
 /// Draws the figure. The field is an embedded image, interpolated linearly between its values; what is not a number is
 /// grey.
 pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
@@ -37,55 +82,16 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
         return Err(refuse("no value is finite".to_owned(), "a finite value at least"));
     };
     let (x_span, y_span) = (outer(&figure.x), outer(&figure.y));
-    let lengths = (x_span.1 - x_span.0, y_span.1 - y_span.0);
-    let y_ticks = Scale::new(y_span, false, (1.0, 0.0)).ticks(8);
-    let bar_ticks = Scale::new(range, false, (1.0, 0.0)).ticks(8);
-    let left = (label_room(&y_ticks) + 46.0).round();
-    // A flat map has its colour bar below, where the label has room.
-    let flat = figure.equal_axes && lengths.1 < 0.4 * lengths.0;
-    let (right, room) = if flat {
-        (34.0, WIDTH - left - 34.0)
-    } else {
-        let right = BAR.0 + BAR.1 + label_room(&bar_ticks) + 48.0;
-        (right, LARGEST.0.min(WIDTH - left - right))
-    };
-    let (width, height) = if figure.equal_axes {
-        let per_metre = (room / lengths.0).min(LARGEST.1 / lengths.1);
-        (per_metre * lengths.0, per_metre * lengths.1)
-    } else {
-        (room, HEIGHT)
-    };
-    // A narrow map is centred on the page, with its colour bar.
-    let start = (left + 0.5 * (WIDTH - left - right - width)).round();
-    // The upright labels may reach beyond the frame.
-    let beside = if flat { "" } else { &figure.value_label };
-    let longest = text_width(&figure.y_label, LABEL).max(text_width(beside, LABEL));
-    let overhang = 0.5 * (longest - height);
-    let top = (40.0 + overhang).max(52.0).round();
-    let frame = Area { left: start, top, right: start + width.round(), bottom: top + height.round() };
-    let bar = if flat {
-        Area { top: frame.bottom + 70.0, bottom: frame.bottom + 70.0 + BAR.0, ..frame }
-    } else {
-        Area { left: frame.right + BAR.1, right: frame.right + BAR.1 + BAR.0, ..frame }
-    };
+    let Layout { frame, bar, flat, overhang } = Layout::new(figure, x_span, y_span, range);
     let x = Scale::new(x_span, false, (frame.left, frame.right));
     let y = Scale::new(y_span, false, (frame.bottom, frame.top));
-    let mut palette: Vec<Rgb> = (0..STEPS)
-        .map(|step| f64::from(step) / f64::from(STEPS - 1))
-        .map(|t| if figure.symmetric { diverging(2.0 * t - 1.0) } else { sequential(t) })
-        .collect();
-    palette.push(MISSING);
-    // Values become steps: ⌊(v − lo)/(hi − lo) · STEPS⌋.
-    let place = |value: f64| {
-        let part = (value - range.0) / (range.1 - range.0);
-        if part.is_nan() { STEPS } else { ((part * f64::from(STEPS)) as u8).min(STEPS - 1) }
-    };
 
     let under = (frame.bottom + overhang).max(bar.bottom + BELOW);
     let keys = overlay::legend(&figure.overlay, (frame.left, under), WIDTH - 20.0);
     let mut canvas = Canvas::new(WIDTH, (under + keys.height).round());
+    let palette = palette(figure.symmetric);
     let size = [frame.width() as usize, frame.height() as usize];
-    canvas.image(Image { area: frame, palette: palette.clone(), pixels: pixels(figure, size, place) });
+    canvas.image(Image { area: frame, palette: palette.clone(), pixels: pixels(figure, size, range) });
     overlay::draw(&mut canvas, &figure.overlay, (x, x_span), (y, y_span));
     keys.draw(&mut canvas, &figure.overlay);
     canvas.rectangle(frame, None, Some(Pen::solid(INK, 1.2)));
@@ -93,19 +99,23 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
     canvas.x_axis(frame, x, &x.ticks(x_count), &figure.x_label, false);
     let y_count = ((frame.height() / 45.0) as usize).clamp(3, 8);
     canvas.y_axis(frame, y, &y.ticks(y_count), &figure.y_label, false);
-    let bar_scale = if flat {
-        Scale::new(range, false, (bar.left, bar.right))
-    } else {
-        Scale::new(range, false, (bar.bottom, bar.top))
-    };
     colour_bar(&mut canvas, bar, flat, &palette[..usize::from(STEPS)]);
     if flat {
-        canvas.x_axis(bar, bar_scale, &bar_scale.ticks(8), &figure.value_label, false);
+        let scale = Scale::new(range, false, (bar.left, bar.right));
+        canvas.x_axis(bar, scale, &scale.ticks(8), &figure.value_label, false);
     } else {
-        canvas.y_axis(bar, bar_scale, &bar_scale.ticks(y_count), &figure.value_label, true);
+        let scale = Scale::new(range, false, (bar.bottom, bar.top));
+        canvas.y_axis(bar, scale, &scale.ticks(y_count), &figure.value_label, true);
     }
     canvas.title(frame, &figure.title);
     Ok(canvas)
+}
+
+/// The colours of all steps, and of what is not a number.
+fn palette(symmetric: bool) -> Vec<Rgb> {
+    let part = |step: u8| f64::from(step) / f64::from(STEPS - 1);
+    let colour = |t: f64| if symmetric { diverging(2.0 * t - 1.0) } else { sequential(t) };
+    (0..STEPS).map(|step| colour(part(step))).chain([MISSING]).collect()
 }
 
 /// The colours side by side, from the left or from below.
@@ -152,9 +162,15 @@ fn range(figure: &MapFigure) -> Option<(f64, f64)> {
     })
 }
 
-/// The image: at every pixel's centre the value interpolated linearly in x and y, the top row being the largest y.
-fn pixels(figure: &MapFigure, [columns, rows]: [usize; 2], place: impl Fn(f64) -> u8) -> Vec<u8> {
+/// The image: at every pixel's centre the step of `range` for the value interpolated linearly in x and y, the top row being the
+/// largest y.
+fn pixels(figure: &MapFigure, [columns, rows]: [usize; 2], range: (f64, f64)) -> Vec<u8> {
     let (ny, nx) = figure.values.dim();
+    // ⌊(v − lo)/(hi − lo) · STEPS⌋
+    let place = |value: f64| {
+        let part = (value - range.0) / (range.1 - range.0);
+        if part.is_nan() { STEPS } else { ((part * f64::from(STEPS)) as u8).min(STEPS - 1) }
+    };
     // Cells reach half a spacing beyond the outer points, where the field is held constant.
     let places = |count: usize, n: usize| -> Vec<(usize, f64)> {
         (0..count)
@@ -274,7 +290,7 @@ mod tests {
     fn the_image_has_large_y_on_top() {
         let mut map = figure(3, 3, false);
         map.values = Array2::from_shape_fn((3, 3), |(j, _)| j as f64);
-        let rows = pixels(&map, [3, 3], |v| v as u8);
-        assert_eq!([rows[0], rows[4], rows[8]], [2, 1, 0]);
+        let rows = pixels(&map, [3, 3], (0.0, 2.0));
+        assert_eq!([rows[0], rows[4], rows[8]], [254, 127, 0]);
     }
 }

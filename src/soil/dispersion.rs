@@ -15,6 +15,8 @@ use super::{Profile, chain};
 use crate::math::root;
 use nalgebra::SMatrix;
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
 use std::f64::consts::PI;
 
 /// Wavenumbers at which the modes are counted before the steps of the count are narrowed down. A step up and a step
@@ -24,9 +26,11 @@ const SCAN: usize = 96;
 const LEAST_STEP: f64 = 1e-3;
 
 /// Which waves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
 pub enum SurfaceWave {
     /// P–SV: vertical and along the direction of travel.
+    #[default]
     Rayleigh,
     /// SH: across the direction of travel.
     Love,

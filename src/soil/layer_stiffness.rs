@@ -35,7 +35,7 @@ pub(super) struct LayerStiffness<const N: usize> {
 }
 
 impl LayerStiffness<2> {
-    /// In-plane stiffness of a layer of `thickness` [m].
+    /// In-plane stiffness of a layer of `thickness` [m]; one formula, and therefore one long function.
     pub fn layer(wave: &Wave, thickness: f64, k: f64) -> Self {
         let Wave { mu, ks2, kp2, gamma, inv_difference } = *wave;
         let (p, s) = wave.vertical(k);

@@ -37,6 +37,8 @@ pub use transfer_matrix::TransferMatrix;
 use crate::math::quadrature::Estimate;
 use crate::quantity::OutOfRange;
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
 use thiserror::Error;
 
 /// A way to compute the compliance of a profile: settings only.
@@ -110,7 +112,9 @@ pub struct Pole {
 }
 
 /// A solver by name, as a case file asks for it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(tag = "kind")]
 pub enum Solver {
     /// Exact layer stiffness matrices.
     #[default]

@@ -12,14 +12,19 @@ use super::{Profile, half_space};
 use crate::math::bessel::modified_bessel;
 use crate::math::complex::I;
 use crate::math::quadrature::{Adaptive, Estimate, Tolerance};
+use crate::quantity::positive;
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde::de::{Deserializer, Error};
 use std::f64::consts::PI;
 
 /// Evaluations of G allowed for one strip integral.
 const MAX_COUNT: usize = 60_000;
 
 /// Which displacement of the strip the track follows; the load is uniform either way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
 pub enum Compatibility {
     /// Under the centre line: sinc.
     Centre,
@@ -28,12 +33,22 @@ pub enum Compatibility {
 }
 
 /// A uniformly loaded strip along x.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(deny_unknown_fields, remote = "Self")]
+#[schemars(rename = "Strip")]
 pub struct Strip {
     /// b [m], half of the contact width.
     pub half_width: f64,
     /// Displacement the track follows.
     pub compatibility: Compatibility,
+}
+
+impl<'de> Deserialize<'de> for Strip {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let strip = Self::deserialize(deserializer)?;
+        positive("half_width", strip.half_width, "m").map_err(D::Error::custom)?;
+        Ok(strip)
+    }
 }
 
 impl Strip {
@@ -283,6 +298,31 @@ pub fn receivers_quadrature(
         .collect()
 }
 
+/// Where the integral is first cut off [rad/m]: beyond every wave, and where the tail holds.
+fn first_top(outline: &Outline, beta: f64, kernel: &Kernel) -> f64 {
+    let highest = outline.wavenumbers.last().copied().unwrap_or(0.0);
+    let mut top = (2.0 * highest).max(2.0 * beta).max(4.0 * kernel.kappa0);
+    if let Some(thickness) = outline.top_thickness {
+        // e^{−2kh} falls to 2 % at 2/h; below that the tail does not hold
+        top = top.max(2.0 / thickness);
+    }
+    // whole periods of the kernel; beyond two thousand of them the integral gives up and says so
+    let period = kernel.period;
+    top.min((2.0 * highest).max(2.0 * beta).max(2000.0 * period)).min(4000.0 * period)
+}
+
+/// `points` with no more than a period and a half of the kernel between them.
+fn within_periods(points: &[f64], period: f64) -> Vec<f64> {
+    let mut fine = points[..1].to_vec();
+    for pair in points.windows(2) {
+        let parts = ((pair[1] - pair[0]) / (1.5 * period)).ceil().max(1.0);
+        for i in 1..=parts as usize {
+            fine.push(pair[0] + (pair[1] - pair[0]) * i as f64 / parts);
+        }
+    }
+    fine
+}
+
 /// (1/π) ∫₀^∞ G(√(β² + q²)) C(q) dq, and the part of it that was integrated.
 fn integral(
     u_zz: &dyn Fn(f64) -> Complex64,
@@ -301,29 +341,14 @@ fn integral(
     };
     let known = (kernel.tail)((beta * beta + kappa0 * kappa0).sqrt(), coefficients) * PI;
 
-    let highest = outline.wavenumbers.last().copied().unwrap_or(0.0);
-    let mut top = (2.0 * highest).max(2.0 * beta).max(4.0 * kappa0);
-    if let Some(thickness) = outline.top_thickness {
-        // e^{−2kh} falls to 2 % at 2/h; below that the tail does not hold
-        top = top.max(2.0 / thickness);
-    }
-    // whole periods of the kernel; beyond two thousand of them the integral gives up and says so
     let period = kernel.period;
-    top = top.min((2.0 * highest).max(2.0 * beta).max(2000.0 * period)).min(4000.0 * period);
-    let mut points = breakpoints(outline, beta, top);
-    // no more than a period and a half of the kernel in a panel
-    let mut fine = vec![0.0];
-    for pair in points.windows(2) {
-        let parts = ((pair[1] - pair[0]) / (1.5 * period)).ceil().max(1.0);
-        for i in 1..=parts as usize {
-            fine.push(pair[0] + (pair[1] - pair[0]) * i as f64 / parts);
-        }
-    }
-    points = fine;
+    let points = breakpoints(outline, beta, first_top(outline, beta, kernel));
+    let mut top = points.last().copied().unwrap_or(0.0);
 
     let mut integral = Adaptive::new();
-    integral.add(&mut integrand, &points);
-    let mut count = 15 * points.len();
+    integral.add(&mut integrand, &within_periods(&points, period));
+    // beyond so many periods of the kernel the integral gives up and says so
+    let farthest = 3000.0 * period;
     // beyond the top: one period at a time until the envelope |G − tail|·|C|·y/5 is negligible
     let tolerance = Tolerance { relative: 0.7 * relative, absolute: 0.0, max_count: MAX_COUNT };
     let mut estimate;
@@ -334,24 +359,16 @@ fn integral(
             let k = (beta * beta + top * top).sqrt();
             cut = (u_zz(k) - tail(k)).norm() * envelope * top / 5.0;
             let goal = 0.3 * relative * (integral.value() + known).norm();
-            if cut <= goal || count > MAX_COUNT / 2 {
+            if cut <= goal || top > farthest {
                 break;
             }
             let next = top + period.max(0.25 * top).min(8.0 * period);
-            let parts = ((next - top) / (1.5 * period)).ceil().max(1.0);
-            for i in 0..parts as usize {
-                let from = top + (next - top) * i as f64 / parts;
-                integral.add(&mut integrand, &[from, top + (next - top) * (i + 1) as f64 / parts]);
-                count += 15;
-            }
+            integral.add(&mut integrand, &within_periods(&[top, next], period));
             top = next;
         }
         estimate = integral.refine(&mut integrand, known, tolerance);
         // refined, the integral may be smaller than it seemed and what was cut off too large for it
-        if !estimate.converged
-            || cut <= 0.3 * relative * (estimate.value + known).norm()
-            || count > MAX_COUNT / 2
-        {
+        if !estimate.converged || cut <= 0.3 * relative * (estimate.value + known).norm() || top > farthest {
             break;
         }
     }

@@ -69,6 +69,33 @@ fn anti_plane_waves(wave: &Wave, k: f64, up: bool) -> [[Complex64; 2]; 1] {
 }
 
 impl WaveAmplitudesAt {
+    /// The field at the top or the bottom of `layer`: columns of the wave amplitudes.
+    fn face<const N: usize, const M: usize>(
+        &self,
+        k: f64,
+        layer: usize,
+        bottom: bool,
+        waves: fn(&Wave, f64, bool) -> [[Complex64; M]; N],
+        exponents: fn(&Wave, f64) -> [Complex64; N],
+    ) -> Vec<(usize, [Complex64; M])> {
+        let start = 2 * N * layer;
+        let Some((wave, h)) = self.layers.get(layer) else {
+            return self.half_space.map_or_else(Vec::new, |wave| {
+                waves(&wave, k, false).into_iter().enumerate().map(|(j, f)| (start + j, f)).collect()
+            });
+        };
+        let decay = exponents(wave, k).map(|x| (-x * h).exp());
+        let mut columns = Vec::new();
+        for (up, offset) in [(false, 0), (true, N)] {
+            for (j, field) in waves(wave, k, up).into_iter().enumerate() {
+                // down-going waves start at the top, up-going ones at the bottom
+                let factor = if up == bottom { Complex64::ONE } else { decay[j] };
+                columns.push((start + offset + j, field.map(|f| f * factor)));
+            }
+        }
+        columns
+    }
+
     /// Displacements at all interfaces per unit tractions at interface `source`: [interface][displacement][traction], for
     /// N kinds of waves with M = 2N field components, displacements first.
     fn solve<const N: usize, const M: usize>(
@@ -82,25 +109,7 @@ impl WaveAmplitudesAt {
         let size = 2 * N * n + if self.half_space.is_some() { N } else { 0 };
         let mut matrix: Mat<Complex64> = Mat::zeros(size, size);
         let mut load: Mat<Complex64> = Mat::zeros(size, N);
-        // field at the faces: columns of the amplitudes, evaluated at the top or the bottom of a layer
-        let face = |layer: usize, bottom: bool| -> Vec<(usize, [Complex64; M])> {
-            let start = 2 * N * layer;
-            let Some((wave, h)) = self.layers.get(layer) else {
-                return self.half_space.map_or_else(Vec::new, |wave| {
-                    waves(&wave, k, false).into_iter().enumerate().map(|(j, f)| (start + j, f)).collect()
-                });
-            };
-            let decay = exponents(wave, k).map(|x| (-x * h).exp());
-            let mut columns = Vec::new();
-            for (up, offset) in [(false, 0), (true, N)] {
-                for (j, field) in waves(wave, k, up).into_iter().enumerate() {
-                    // down-going waves start at the top, up-going ones at the bottom
-                    let factor = if up == bottom { Complex64::ONE } else { decay[j] };
-                    columns.push((start + offset + j, field.map(|f| f * factor)));
-                }
-            }
-            columns
-        };
+        let face = |layer, bottom| self.face(k, layer, bottom, waves, exponents);
         let mu = self.layers.first().map(|l| l.0).or(self.half_space).map_or(1.0, |w| w.mu.norm());
         let mut row = 0;
         for interface in 0..=n {

@@ -1,7 +1,9 @@
 //! What several studies may be doubted for.
 
-use super::Model;
+use super::speed_text;
 use crate::concern::Concern;
+use crate::railway::{Ground, Railway};
+use crate::soil::{Base, Profile};
 
 /// Static deflections of tracks under one axle [m]: 0.7 mm on a slab to 4.1 mm on soft clay in `soil_cases`; room on both sides for
 /// light axles and rock, heavy ones and peat.
@@ -19,10 +21,10 @@ pub(super) fn missed_accuracy(speeds: impl Iterator<Item = f64>) -> Option<Conce
     })
 }
 
-/// [`static_deflection`] under the heaviest axle of `model`; None where it has no track, or no finite deflection.
-pub(super) fn sinks_as_no_track_does(model: &Model) -> Option<Concern> {
-    let axle = model.train("static deflection").ok()?.heaviest_axle();
-    let at_rest = model.track().ok()?.moving(0.0, 1.0).ok()?;
+/// [`static_deflection`] under the heaviest axle of `railway`; None where it has no track, or no finite deflection.
+pub(super) fn sinks_as_no_track_does(railway: &Railway) -> Option<Concern> {
+    let axle = railway.train().ok()?.heaviest_axle();
+    let at_rest = railway.track().ok()?.moving(0.0, 1.0).ok()?;
     static_deflection(axle.axles()[0].load * at_rest.rail(0.0))
 }
 
@@ -46,25 +48,61 @@ pub(super) fn static_deflection(deflection: f64) -> Option<Concern> {
     })
 }
 
+/// A concern if a load at `speed` [m/s] outruns every shear wave of the ground: only far-reaching Mach waves are left.
+pub(super) fn outruns_waves(railway: &Railway, speed: f64) -> Option<Concern> {
+    let Ground { profile, .. } = railway.ground().ok()?;
+    let fastest = profile.materials().map(|m| m.c_s()).fold(0.0, f64::max);
+    (speed > fastest).then(|| {
+        Concern::new(
+            "faster-than-waves",
+            format!("{} is faster than every shear wave of the ground ({fastest:.1} m/s)", speed_text(speed)),
+            "check the speed and the soil; the response is then governed by material damping",
+        )
+    })
+}
+
+/// A concern if rock lies deeper than waves of the lowest of `frequencies` [Hz] above zero reach and come back from:
+/// e^{−2 Σ h ηω/(2c_s)} below 1e-3.
+pub(super) fn deep_rock(profile: &Profile, frequencies: &[f64]) -> Option<Concern> {
+    let lowest = frequencies.iter().copied().filter(|f| *f > 0.0).reduce(|a: f64, b: f64| a.min(b))?;
+    let decay: f64 = profile
+        .layers()
+        .iter()
+        .map(|l| l.thickness * l.material.loss_factor() * std::f64::consts::TAU * lowest / l.material.c_s())
+        .sum();
+    (profile.base() == Base::Rigid && decay > 1e3f64.ln()).then(|| {
+        Concern::new(
+            "deep-rock",
+            format!(
+                "the rigid base at {:.1} m is deeper than waves reach: at {lowest} Hz they come back with {:.0e} of their \
+                 amplitude",
+                profile.depth(),
+                (-decay).exp()
+            ),
+            "a half-space of the lowest layer gives the same answer with less work",
+        )
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::foundation::Winkler;
-    use crate::study::{Contact, CriticalSpeed, Support, TrackResponse};
+    use crate::Silent;
+    use crate::foundation::Springs;
+    use crate::railway::Support;
+    use crate::study::{CriticalSpeed, TrackResponse};
     use crate::track::{Member, Stack};
     use crate::vehicle::{Axle, Train};
-    use crate::{Compatibility, Silent, Strip};
 
     /// Codes of the concerns of a speed curve and of a track response: a beam on springs of `stiffness` [N/m²] under `load` [N].
     fn codes(stiffness: f64, load: f64) -> Vec<&'static str> {
-        let springs = Winkler::new(stiffness, 1e5, 0.0).unwrap();
-        let strip = Strip { half_width: 1.25, compatibility: Compatibility::Mean };
+        let springs = Springs::winkler(stiffness, 1e5, 0.0).unwrap();
         let beam = Stack::new(vec![Member::beam(1.276e7, 120.46, 0.0).unwrap()], vec![]);
         let train = Train::new(vec![Axle { position: 0.0, load }]).unwrap();
-        let model = Model::new(Support::Winkler(springs), Contact::Strip(strip), beam, Some(train)).unwrap();
-        let curve = CriticalSpeed { speeds: vec![10.0, 20.0] }.run(&model, &Silent).unwrap();
+        let railway = Railway::new(Support::Springs(springs), beam, Some(train)).unwrap();
+        let curve = CriticalSpeed { speeds: vec![10.0, 20.0] }.run(&railway, &Silent).unwrap();
         let shape = TrackResponse { speeds: vec![10.0], x: None, spacing: 0.5, records: vec![] };
-        let shape = shape.run(&model, &Silent).unwrap();
+        let shape = shape.run(&railway, &Silent).unwrap();
         let all = curve.concerns.iter().chain(&shape.concerns).map(|c| c.code);
         all.filter(|code| *code == "static-deflection").collect()
     }

@@ -8,7 +8,6 @@ mod dispersion;
 mod doubts;
 mod equivalent_stiffness;
 mod free_field;
-mod model;
 mod receptance;
 mod surface_compliance;
 mod track_response;
@@ -19,7 +18,6 @@ pub use critical_speed::{CriticalSpeed, Hump, Peak, Plateau, SpeedCurve, SpeedCu
 pub use dispersion::{Crossing, Dispersion, DispersionCurves};
 pub use equivalent_stiffness::{EquivalentStiffness, StiffnessTable};
 pub use free_field::{Carrier, FreeField, Irregularity, Roughness};
-pub use model::{Contact, Model, Support};
 pub use receptance::{Receptance, ReceptanceMap, Receptances, Surface};
 pub use surface_compliance::{Compliances, SurfaceComplianceTable};
 pub use track_response::{Record, TrackResponse, TrackShapes, same_speed, tag};
@@ -31,6 +29,7 @@ use crate::figure::Figure;
 use crate::foundation::FoundationError;
 use crate::progress::Observer;
 use crate::rail::InteractionError;
+use crate::railway::{Ground, Railway, RailwayError};
 use crate::soil::SoilError;
 use thiserror::Error;
 
@@ -105,63 +104,75 @@ impl Study {
         }
     }
 
-    /// Answers the question for `model`.
+    /// Answers the question for `railway`.
     ///
     /// # Errors
     /// A response that diverges, a grid beyond the memory, a question the model has no answer to.
-    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+    pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
         match self {
-            Self::CriticalSpeed(study) => study.run(model, observer),
-            Self::Dispersion(study) => study.run(model, observer),
-            Self::TrackResponse(study) => study.run(model, observer),
-            Self::Contour(study) => study.run(model, observer),
-            Self::Receptance(study) => study.run(model, observer),
-            Self::FreeField(study) => study.run(model, observer),
-            Self::EquivalentStiffness(study) => study.run(model, observer),
-            Self::SurfaceCompliance(study) => study.run(model, observer),
+            Self::CriticalSpeed(study) => study.run(railway, observer),
+            Self::Dispersion(study) => study.run(railway.ground()?, railway.stack(), observer),
+            Self::TrackResponse(study) => study.run(railway, observer),
+            Self::Contour(study) => study.run(railway, observer),
+            Self::Receptance(study) => study.run(railway, observer),
+            Self::FreeField(study) => study.run(railway, observer),
+            Self::EquivalentStiffness(study) => study.run(railway, observer),
+            Self::SurfaceCompliance(study) => study.run(railway.ground()?, observer),
         }
     }
 
-    /// Refuses, before anything is computed, what cannot be answered.
+    /// Refuses, before anything is computed, what cannot be answered: all that `railway` lacks, or else the first limit in the way.
     ///
     /// # Errors
     /// As `run`, where it can be known beforehand.
-    pub fn check(&self, model: &Model) -> Result<(), StudyError> {
-        match self {
-            Self::CriticalSpeed(study) => {
-                model.track()?;
-                model.train(self.name())?;
-                model.check_damping(study.speeds.iter().copied())
-            }
-            Self::TrackResponse(study) => {
-                model.track()?;
-                model.train(self.name())?;
-                model.check_damping(study.speeds.iter().copied())
-            }
-            Self::Contour(study) => {
-                study.check(model)?;
-                model.check_damping(study.speeds.iter().copied())
-            }
-            Self::Receptance(study) => {
-                model.track()?;
-                if !study.receivers.is_empty() {
-                    model.receivers(&study.receivers)?;
-                }
-                if let Some(map) = &study.map {
-                    map.check(model)?;
-                }
-                // a standing load feels waves of every phase speed
-                model.check_damping(std::iter::once(f64::INFINITY))
-            }
-            Self::FreeField(study) => study.check(model),
-            Self::EquivalentStiffness(study) => {
-                model.foundation()?;
-                let omega = std::f64::consts::TAU * study.frequencies.iter().copied().fold(0.0, f64::max);
-                model.check_damping(study.beta.iter().map(|beta| omega / beta))
-            }
-            Self::Dispersion(_) => model.ground("dispersion").map(|_| ()),
-            Self::SurfaceCompliance(_) => model.ground("surface_compliance").map(|_| ()),
+    pub fn check(&self, railway: &Railway) -> Result<(), Vec<StudyError>> {
+        let lacks = self.lacks(railway);
+        if lacks.is_empty() {
+            self.check_limits(railway).map_err(|error| vec![error])
+        } else {
+            Err(lacks.into_iter().map(StudyError::from).collect())
         }
+    }
+
+    /// What `railway` lacks for an answer.
+    fn lacks(&self, railway: &Railway) -> Vec<RailwayError> {
+        let (ground, track, train) = (railway.ground(), railway.track().err(), railway.train().err());
+        let [first, second] = match self {
+            Self::CriticalSpeed(_) | Self::TrackResponse(_) => [track, train],
+            Self::Receptance(_) => [track, None],
+            Self::Contour(_) => [ground.and_then(Ground::contact).err(), train],
+            Self::FreeField(_) => [ground.err().or(track), train],
+            Self::EquivalentStiffness(_) => [railway.foundation().err(), None],
+            Self::Dispersion(_) | Self::SurfaceCompliance(_) => [ground.err(), None],
+        };
+        first.into_iter().chain(second).collect()
+    }
+
+    /// Refuses phase speeds that undamped ground cannot bear, receivers on the track, grids beyond the memory.
+    fn check_limits(&self, railway: &Railway) -> Result<(), StudyError> {
+        let speeds: Vec<f64> = match self {
+            Self::CriticalSpeed(CriticalSpeed { speeds }) => speeds.clone(),
+            Self::TrackResponse(TrackResponse { speeds, .. }) => speeds.clone(),
+            Self::Contour(study) => {
+                study.check(railway)?;
+                study.speeds.clone()
+            }
+            // a standing load feels waves of every phase speed, and wheels shed them
+            Self::Receptance(study) => {
+                study.check(railway)?;
+                vec![f64::INFINITY]
+            }
+            Self::FreeField(study) => {
+                study.check(railway)?;
+                vec![f64::INFINITY]
+            }
+            Self::EquivalentStiffness(study) => {
+                let omega = std::f64::consts::TAU * study.frequencies.iter().copied().fold(0.0, f64::max);
+                study.beta.iter().map(|beta| omega / beta).collect()
+            }
+            Self::Dispersion(_) | Self::SurfaceCompliance(_) => return Ok(()),
+        };
+        Ok(railway.check_damping(speeds.into_iter())?)
     }
 }
 
@@ -192,21 +203,12 @@ pub enum StudyError {
     /// The field failed.
     #[error(transparent)]
     Field(#[from] GroundFieldError),
-    /// The study needs layered ground.
-    #[error("the study {study} needs layered ground: give [soil] instead of [foundation]")]
-    NeedsGround {
-        /// Its name.
-        study: &'static str,
-    },
-    /// The study needs a train.
-    #[error("the study {study} needs a load: give [train] with at least one axle")]
-    NeedsTrain {
-        /// Its name.
-        study: &'static str,
-    },
+    /// The railway lacks what the study needs.
+    #[error(transparent)]
+    Railway(#[from] RailwayError),
     /// Bodies that do not stand on the axles of the train.
     #[error(
-        "the vehicle model has {wheelsets} wheelsets, the train {axles} axles, or they stand elsewhere: build both from the same \
+        "the vehicle railway has {wheelsets} wheelsets, the train {axles} axles, or they stand elsewhere: build both from the same \
          positions"
     )]
     OtherWheels {
@@ -215,28 +217,6 @@ pub enum StudyError {
         /// Wheelsets of the model.
         wheelsets: usize,
     },
-    /// The study needs a track.
-    #[error("the study {study} needs a track: track.kind = \"none\" has no rail for wheels to run on")]
-    NeedsTrack {
-        /// Its name.
-        study: &'static str,
-    },
-    /// A receiver on the track.
-    #[error(
-        "the receiver at {distance} m stands on the track, whose half-width is {half_width} m: receivers are distances from the          centre line of the track"
-    )]
-    OnTrack {
-        /// From the centre line [m].
-        distance: f64,
-        /// [m]
-        half_width: f64,
-    },
-    /// Ground under a point load sinks without end.
-    #[error(
-        "the ground under a point load has no finite deflection: give track.load.kind = \"patch\" with half_length \
-         and half_width, or ask for a contour only"
-    )]
-    PointLoad,
     /// The grid does not fit into memory.
     #[error(
         "the {what} grid of {columns} × {rows} samples needs {needed_gb:.1} GB and the machine has {available_gb:.1} GB free: \

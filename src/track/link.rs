@@ -4,6 +4,8 @@ use super::TrackError;
 use crate::math::complex::sign;
 use crate::quantity::{not_negative, positive};
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// Stiffness of a link between an upper and a lower degree of freedom, [[upper, cross], [cross, lower]] [N/m²].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,8 +18,25 @@ pub struct LinkStiffness {
     pub lower: Complex64,
 }
 
-/// A vertical link, per metre of track.
-#[derive(Clone, Copy, Debug, PartialEq)]
+impl LinkStiffness {
+    /// r = −cross/(lower + K): displacement of the lower side per displacement of the upper one, where the lower side stands on
+    /// `below` = K.
+    #[inline]
+    pub(super) fn carried(&self, below: Complex64) -> Complex64 {
+        -self.cross / (self.lower + below)
+    }
+
+    /// upper + r cross, the stiffness seen from the upper side, as (upper + cross) + r (lower + cross + K): no difference of stiff
+    /// springs.
+    #[inline]
+    pub(super) fn seen_above(&self, below: Complex64, carried: Complex64) -> Complex64 {
+        (self.upper + self.cross) + carried * (self.lower + self.cross + below)
+    }
+}
+
+/// A vertical link, per metre of track; in a case file a spring.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[serde(try_from = "Spring")]
 pub enum Link {
     /// k(1 + iη sgn ω) + iωc: rail pads.
     Spring {
@@ -50,6 +69,28 @@ pub enum Link {
         /// m_b [kg/m]
         mass: f64,
     },
+}
+
+/// Springs under rails, as a case file says them.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Spring {
+    /// k [N/m²]
+    stiffness: f64,
+    /// c [N s/m²]
+    #[serde(default)]
+    damping: f64,
+    /// η
+    #[serde(default)]
+    loss_factor: f64,
+}
+
+impl TryFrom<Spring> for Link {
+    type Error = TrackError;
+
+    fn try_from(spring: Spring) -> Result<Self, TrackError> {
+        Self::spring(spring.stiffness, spring.damping, spring.loss_factor)
+    }
 }
 
 impl Link {

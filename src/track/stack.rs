@@ -34,25 +34,55 @@ impl Stack {
         Self { members, links }
     }
 
-    /// Steady response at (β, ω) on a foundation of stiffness `foundation` [N/m²].
-    ///
-    /// Eliminated from below, like springs in series: K ← member + upper − cross²/(lower + K).
-    /// Source: appendix A.2–A.4, any of them.
+    /// True without members: a load straight on what carries it.
+    pub fn is_empty(&self) -> bool {
+        self.members.is_empty()
+    }
+
+    /// Steady response at (β, ω) on a foundation of stiffness `foundation` [N/m²]: [`respond_at`](Self::respond_at) for real `beta`
+    /// [rad/m].
+    #[inline]
     pub fn respond(&self, beta: f64, omega: f64, foundation: Complex64) -> Displacements {
-        let own = |i: usize| self.members.get(i).map_or(Complex64::ZERO, |m| m.stiffness(beta, omega));
+        self.respond_at((beta * beta).into(), omega, foundation)
+    }
+
+    /// Steady response at `beta2` = β² [rad²/m²], real or complex, and `omega` [rad/s] on a foundation of stiffness `foundation`
+    /// [N/m²].
+    ///
+    /// Eliminated from below, like springs in series. With r = −cross/(lower + K) the lower displacement per upper one,
+    /// K ← member + (upper + cross) + r (lower + cross + K): what a link's ends do not share is its inertia alone, so that nothing
+    /// cancels where it is stiff. Source: appendix A.2–A.4, any of them.
+    pub fn respond_at(&self, beta2: Complex64, omega: f64, foundation: Complex64) -> Displacements {
         // degrees of freedom: members, and the base where a link ends on the foundation
-        let mut stiffness = own(self.links.len()) + foundation;
+        let mut stiffness = self.own(self.links.len(), beta2, omega) + foundation;
         let mut ratio = Complex64::ONE;
         for (i, link) in self.links.iter().enumerate().rev() {
             let link = link.stiffness(omega);
-            let below = link.lower + stiffness;
-            // the lower displacement per upper displacement
-            let carried = -link.cross / below;
+            let carried = link.carried(stiffness);
             ratio *= carried;
-            stiffness = own(i) + link.upper + link.cross * carried;
+            stiffness = self.own(i, beta2, omega) + link.seen_above(stiffness, carried);
         }
         let rail = 1.0 / stiffness;
         Displacements { rail, base: rail * ratio }
+    }
+
+    /// Stiffness [N/m²] of the stack standing on rigid rock, seen from its top, at `beta2` = β² [rad²/m²] and `omega` [rad/s]; without
+    /// a link infinite, the rock itself.
+    pub fn on_rock(&self, beta2: Complex64, omega: f64) -> Complex64 {
+        // None: what does not move
+        let mut below: Option<Complex64> = None;
+        for (i, link) in self.links.iter().enumerate().rev() {
+            let link = link.stiffness(omega);
+            let seen = below.map_or(link.upper, |k| link.seen_above(k, link.carried(k)));
+            below = Some(self.own(i, beta2, omega) + seen);
+        }
+        below.unwrap_or(f64::INFINITY.into())
+    }
+
+    /// Stiffness of member number `i` by itself; 0 for the massless base.
+    #[inline]
+    fn own(&self, i: usize, beta2: Complex64, omega: f64) -> Complex64 {
+        self.members.get(i).map_or(Complex64::ZERO, |member| member.stiffness(beta2, omega))
     }
 
     /// The same stack without dissipation.
@@ -67,8 +97,8 @@ impl Stack {
     /// and with nothing below; None where there is no such wave, as between the resonance of the sleepers on the pads
     /// and the next one.
     ///
-    /// The matrix is linear in x = β⁴ with coefficients EI ≥ 0, so that its negative pivots become fewer as x grows, one
-    /// at every wave: the last step is bisected. This wave is the bending of the whole track as ω → 0.
+    /// The matrix grows with x = β⁴, as EI and N ≥ 0, so that its negative pivots become fewer as x grows, one at every wave: the
+    /// last step is bisected. This wave is the bending of the whole track as ω → 0.
     ///
     /// Accuracy: of β⁴, rounding of the springs against the inertia of the track, 1e-16 k/(ω²m); published curves to 4e-9,
     /// their digits (test `papers::mezher`).
@@ -76,10 +106,10 @@ impl Stack {
     pub fn free_wave(&self, omega: f64) -> Option<f64> {
         let links: Vec<_> = self.links.iter().map(|l| l.undamped().stiffness(omega)).collect();
         let own = |i: usize, x: f64| match self.members.get(i) {
-            // a beam that cannot bend does not move
+            // what resists bending or shear does not move then
             Some(beam) if x == f64::INFINITY && !beam.is_mass() => x,
-            Some(mass) if x == f64::INFINITY => mass.stiffness(0.0, omega).re,
-            Some(member) => member.undamped().stiffness(x.sqrt().sqrt(), omega).re,
+            Some(mass) if x == f64::INFINITY => mass.stiffness(Complex64::ZERO, omega).re,
+            Some(member) => member.undamped().stiffness(x.sqrt().into(), omega).re,
             None => 0.0,
         };
         let negative = |x: f64| {
@@ -182,6 +212,41 @@ mod tests {
             assert_eq!(sleepers.free_wave(omega).is_some(), there, "{omega}");
         }
         assert_eq!(Stack::default().free_wave(1.0), None);
+    }
+
+    #[test]
+    fn standing_on_rock_is_the_limit_of_stiff_foundations() {
+        let links = || {
+            vec![
+                Link::spring(7e8, 3.84e4, 0.1).unwrap(),
+                Link::ConsistentMass { stiffness: 3.6e8, damping: 0.0, loss_factor: 1.0, mass: 1695.8 },
+            ]
+        };
+        let rail = Member::beam(1.276e7, 120.46, 0.02).unwrap();
+        let members = vec![rail, Member::string(2e7, 490.0).unwrap()];
+        for stack in [
+            Stack::new(members.clone(), links()),
+            // the last member lies on the rock itself
+            Stack::new([members, vec![rail]].concat(), links()),
+        ] {
+            for (beta2, omega) in [(0.0.into(), 0.0), (0.8.into(), 90.0), (Complex64::new(0.3, -2.0), -400.0)]
+            {
+                let (limit, rock) =
+                    (1.0 / stack.respond_at(beta2, omega, 1e26.into()).rail, stack.on_rock(beta2, omega));
+                // measured 2e-16; the springs are 1e-17 of the foundation
+                assert!((limit - rock).norm() < 1e-14 * rock.norm(), "{limit} {rock}");
+            }
+        }
+        assert_eq!(Stack::default().on_rock(0.0.into(), 1.0).re, f64::INFINITY);
+    }
+
+    #[test]
+    fn stiff_links_cost_no_digits() {
+        // springs in series: 1/k = 1/k₁ + 1/k₂; measured 2e-16, and 1e-7 before the differences were taken apart
+        let pad = Stack::new(vec![Member::mass(0.0).unwrap()], vec![Link::spring(1e15, 0.0, 0.0).unwrap()]);
+        let k = Complex64::new(1e6, 3e5);
+        let exact = 1e-15 + 1.0 / k;
+        assert!((pad.respond(1.0, 0.0, k).rail - exact).norm() < 1e-15 * exact.norm());
     }
 
     #[test]

@@ -1,9 +1,12 @@
 //! Constant axle loads moving together: the quasi-static train.
 
+use schemars::JsonSchema;
+use serde::Deserialize;
 use thiserror::Error;
 
 /// One axle.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(deny_unknown_fields)]
 pub struct Axle {
     /// Distance behind the leading axle [m].
     pub position: f64,

@@ -2,11 +2,15 @@
 
 use super::BodyError;
 use crate::quantity::positive;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// Shape of the running surface of a wheel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
 pub enum Tread {
     /// Worn profile.
+    #[default]
     Worn,
     /// New, conical profile.
     Coned,

@@ -3,11 +3,13 @@
 mod axle_loads;
 mod four_axle;
 mod hertz;
+mod model;
 mod multibody;
 
 pub use axle_loads::{Axle, Train, VehicleError};
-pub use four_axle::{FourAxle, GRAVITY, Suspension};
+pub use four_axle::{Body, Bogie, FourAxle, GRAVITY, Suspension, Wheelset};
 pub use hertz::{Hertz, Tread};
+pub use model::VehicleModel;
 pub use multibody::Multibody;
 
 use crate::quantity::OutOfRange;

@@ -50,7 +50,7 @@ impl Multibody {
     /// Those of [`FourAxle::checked`], here and below.
     pub fn two(vehicle: &FourAxle) -> Result<Self, BodyError> {
         let v = vehicle.checked()?;
-        let mut model = Self::bodies(&[v.wheelset_mass, 0.5 * v.bogie_mass]);
+        let mut model = Self::bodies(&[v.wheelset.mass, 0.5 * v.bogie.mass]);
         model.join(v.primary, &[(0, 1.0), (1, -1.0)]);
         model.wheelsets(&[(0, 0.0)], v.axle_load());
         Ok(model)
@@ -63,9 +63,9 @@ impl Multibody {
     pub fn four(vehicle: &FourAxle) -> Result<Self, BodyError> {
         let v = vehicle.checked()?;
         let mut model =
-            Self::bodies(&[v.wheelset_mass, v.wheelset_mass, v.bogie_mass, v.bogie_pitch_inertia]);
+            Self::bodies(&[v.wheelset.mass, v.wheelset.mass, v.bogie.mass, v.bogie.pitch_inertia]);
         model.bogie(&v, [0, 1], 2);
-        model.wheelsets(&[(0, 0.0), (1, v.wheelbase)], v.axle_load());
+        model.wheelsets(&[(0, 0.0), (1, v.bogie.wheelbase)], v.axle_load());
         Ok(model)
     }
 
@@ -76,15 +76,15 @@ impl Multibody {
     pub fn five(vehicle: &FourAxle) -> Result<Self, BodyError> {
         let v = vehicle.checked()?;
         let mut model = Self::bodies(&[
-            v.wheelset_mass,
-            v.wheelset_mass,
-            v.bogie_mass,
-            v.bogie_pitch_inertia,
-            0.5 * v.body_mass,
+            v.wheelset.mass,
+            v.wheelset.mass,
+            v.bogie.mass,
+            v.bogie.pitch_inertia,
+            0.5 * v.body.mass,
         ]);
         model.bogie(&v, [0, 1], 2);
         model.join(v.secondary, &[(2, 1.0), (4, -1.0)]);
-        model.wheelsets(&[(0, 0.0), (1, v.wheelbase)], v.axle_load());
+        model.wheelsets(&[(0, 0.0), (1, v.bogie.wheelbase)], v.axle_load());
         Ok(model)
     }
 
@@ -94,12 +94,12 @@ impl Multibody {
     /// See [`Multibody::two`].
     pub fn ten(vehicle: &FourAxle) -> Result<Self, BodyError> {
         let v = vehicle.checked()?;
-        let (w, b, j) = (v.wheelset_mass, v.bogie_mass, v.bogie_pitch_inertia);
-        let mut model = Self::bodies(&[w, w, w, w, b, j, b, j, v.body_mass, v.body_pitch_inertia]);
+        let (w, b, j) = (v.wheelset.mass, v.bogie.mass, v.bogie.pitch_inertia);
+        let mut model = Self::bodies(&[w, w, w, w, b, j, b, j, v.body.mass, v.body.pitch_inertia]);
         model.bogie(&v, [0, 1], 4);
         model.bogie(&v, [2, 3], 6);
         // the body above the leading and the trailing bogie moves by bounce ∓ pitch · half the distance
-        let arm = 0.5 * v.bogie_centres;
+        let arm = 0.5 * v.body.bogie_centres;
         model.join(v.secondary, &[(4, 1.0), (8, -1.0), (9, arm)]);
         model.join(v.secondary, &[(6, 1.0), (8, -1.0), (9, -arm)]);
         let positions = v.positions();
@@ -190,7 +190,7 @@ impl Multibody {
     /// Primary suspensions between `wheels`, the leading one first, and a bogie that bounces in `bounce` and pitches in the
     /// degree of freedom after it.
     fn bogie(&mut self, v: &FourAxle, wheels: [usize; 2], bounce: usize) {
-        let arm = 0.5 * v.wheelbase;
+        let arm = 0.5 * v.bogie.wheelbase;
         self.join(v.primary, &[(wheels[0], 1.0), (bounce, -1.0), (bounce + 1, arm)]);
         self.join(v.primary, &[(wheels[1], 1.0), (bounce, -1.0), (bounce + 1, -arm)]);
     }
@@ -205,16 +205,13 @@ impl Multibody {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vehicle::{Body, Bogie, Wheelset};
 
     /// ICE 3 after Goicolea 2014.
     const ICE3: FourAxle = FourAxle {
-        body_mass: 47_800.0,
-        body_pitch_inertia: 1.957_888e6,
-        bogie_centres: 17.375,
-        bogie_mass: 3500.0,
-        bogie_pitch_inertia: 1715.0,
-        wheelbase: 2.5,
-        wheelset_mass: 1800.0,
+        body: Body { mass: 47_800.0, pitch_inertia: 1.957_888e6, bogie_centres: 17.375 },
+        bogie: Bogie { mass: 3500.0, pitch_inertia: 1715.0, wheelbase: 2.5 },
+        wheelset: Wheelset { mass: 1800.0 },
         primary: Suspension { stiffness: 2.4e6, damping: 20e3 },
         secondary: Suspension { stiffness: 0.7e6, damping: 40e3 },
     };
@@ -225,7 +222,7 @@ mod tests {
     }
 
     fn all(v: &FourAxle) -> Vec<Multibody> {
-        let unsprung = Multibody::unsprung(v.wheelset_mass, v.axle_load());
+        let unsprung = Multibody::unsprung(v.wheelset.mass, v.axle_load());
         [unsprung, Multibody::two(v), Multibody::four(v), Multibody::five(v), Multibody::ten(v)]
             .map(Result::unwrap)
             .into()
@@ -342,9 +339,9 @@ mod tests {
             let omega = 0.1 * 10f64.powf(f64::from(i) / 50.0);
             let a = ten.receptance(omega);
             let bounce = chain(omega, &[1800.0, 1750.0, 11_950.0], &[ICE3.primary, half]);
-            let body_pitch = ICE3.body_pitch_inertia / (4.0 * body_arm.powi(2));
+            let body_pitch = ICE3.body.pitch_inertia / (4.0 * body_arm.powi(2));
             let pitch = chain(omega, &[1800.0, 1750.0, body_pitch], &[ICE3.primary, half]);
-            let bogie_pitch = ICE3.bogie_pitch_inertia / (2.0 * arm.powi(2));
+            let bogie_pitch = ICE3.bogie.pitch_inertia / (2.0 * arm.powi(2));
             let rock = chain(omega, &[1800.0, bogie_pitch], &[ICE3.primary]);
             for (p, q) in (0..4).flat_map(|p| (0..4).map(move |q| (p, q))) {
                 let same_bogie = p / 2 == q / 2;
@@ -400,10 +397,12 @@ mod tests {
 
     #[test]
     fn refuses_what_cannot_roll() {
-        let wrong = FourAxle { bogie_mass: -1.0, ..ICE3 };
+        let wrong = FourAxle { bogie: Bogie { mass: -1.0, ..ICE3.bogie }, ..ICE3 };
         let error = Multibody::four(&wrong).unwrap_err();
         assert_eq!(error.to_string(), "bogie.mass is -1 kg: it must be finite and above zero");
-        assert!(Multibody::ten(&FourAxle { wheelbase: 20.0, ..ICE3 }).is_err());
+        assert!(
+            Multibody::ten(&FourAxle { bogie: Bogie { wheelbase: 20.0, ..ICE3.bogie }, ..ICE3 }).is_err()
+        );
         assert!(Multibody::unsprung(0.0, 1.0).is_err());
     }
 }

@@ -1,7 +1,7 @@
 //! The paper's tracks.
 
 use groundwave::soil::Compatibility;
-use groundwave::track::{Ballast, Ballasted, Link, Member, Slab, Stack};
+use groundwave::track::{Ballast, Ballasted, Link, Member, Slab, Sleeper, Stack};
 
 /// Application 2's ballasted track, C_b = 333 m/s.
 pub fn ballasted() -> Stack {
@@ -11,11 +11,12 @@ pub fn ballasted() -> Stack {
         young: 1.4e8,
         height: 0.35,
         alpha: 0.5,
-        wave_speed: 333.0,
-        half_width: 1.25,
+        wave_speed: Some(333.0),
+        density: None,
+        poisson: None,
         loss_factor: 0.0,
     };
-    Ballasted { rail, pad, sleeper_mass: 490.0, ballast }.stack().unwrap()
+    Ballasted { rail, pad, sleeper: Sleeper { mass: 490.0 }, ballast }.stack(Some(1.25)).unwrap()
 }
 
 /// Application 2's slab track.

@@ -21,13 +21,9 @@ const CONTACT: f64 = 1.94e9;
 
 /// The library's `goicolea2014_ice3`.
 const ICE3: FourAxle = FourAxle {
-    body_mass: 47_800.0,
-    body_pitch_inertia: 1.957888e6,
-    bogie_centres: 17.375,
-    bogie_mass: 3500.0,
-    bogie_pitch_inertia: 1715.0,
-    wheelbase: 2.5,
-    wheelset_mass: 1800.0,
+    body: groundwave::vehicle::Body { mass: 47_800.0, pitch_inertia: 1.957888e6, bogie_centres: 17.375 },
+    bogie: groundwave::vehicle::Bogie { mass: 3500.0, pitch_inertia: 1715.0, wheelbase: 2.5 },
+    wheelset: groundwave::vehicle::Wheelset { mass: 1800.0 },
     primary: Suspension { stiffness: 2.4e6, damping: 20e3 },
     secondary: Suspension { stiffness: 0.7e6, damping: 40e3 },
 };

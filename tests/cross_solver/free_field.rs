@@ -18,8 +18,9 @@ use groundwave::foundation::LayeredSoil;
 use groundwave::irregularity::{Component, German, Realisation, Spectrum};
 use groundwave::progress::Silent;
 use groundwave::rail::TrackOnFoundation;
+use groundwave::railway::{Contact, Ground, Railway, Support};
 use groundwave::soil::{DirectStiffness, GroundSolver, PreparedGround, Profile, Solver, ThinLayer};
-use groundwave::study::{Carrier, Contact, FreeField, Irregularity, Model, Roughness, Support};
+use groundwave::study::{Carrier, FreeField, Irregularity, Roughness};
 use groundwave::track::Stack;
 use groundwave::vehicle::{Axle, Multibody, Train};
 use num_complex::Complex64;
@@ -34,7 +35,7 @@ const RECEIVER: f64 = 8.0;
 const MASS: f64 = 2003.0;
 const CONTACT: f64 = 1.94e9;
 
-const SPECTRUM: Spectrum = Spectrum::German(German::Low);
+const SPECTRUM: Spectrum = Spectrum::German { quality: German::Low };
 
 /// Slower and faster than the waves of the ground that matter [m/s].
 const SLOW: f64 = 114.0;
@@ -477,10 +478,10 @@ fn history_in_time(components: &[Component], bands: &[Band], march: &March) {
 // quick ones
 
 /// One axle on the ballasted track.
-fn model(solver: Solver) -> Model {
+fn model(solver: Solver) -> Railway {
     let train = Train::new(vec![Axle { position: 0.0, load: 150e3 }]).unwrap();
-    let support = Support::Ground(named("paper_layered"), solver);
-    Model::new(support, Contact::Strip(STRIP), tracks::ballasted(), Some(train)).unwrap()
+    let support = Support::Ground(Ground::new(named("paper_layered"), solver, Some(Contact::Strip(STRIP))));
+    Railway::new(support, tracks::ballasted(), Some(train)).unwrap()
 }
 
 fn study(bands: &[Band], wavelengths: (f64, f64)) -> FreeField {
@@ -521,9 +522,10 @@ fn wheels_far_apart_pass_one_after_the_other() {
         .collect();
     let run = |axles: &[f64]| -> (Vec<f64>, Vec<f64>) {
         let train = axles.iter().map(|&position| Axle { position, load: 150e3 }).collect();
-        let support = Support::Ground(named("paper_layered"), Solver::ThinLayer(ThinLayer::default()));
+        let thin = Solver::ThinLayer(ThinLayer::default());
+        let support = Support::Ground(Ground::new(named("paper_layered"), thin, Some(Contact::Strip(STRIP))));
         let train = Train::new(train).unwrap();
-        let model = Model::new(support, Contact::Strip(STRIP), tracks::ballasted(), Some(train)).unwrap();
+        let model = Railway::new(support, tracks::ballasted(), Some(train)).unwrap();
         let group = given(waves.clone(), &bands, axles).run(&model, &Silent).unwrap().group;
         let values = |name: &str| group.get(name).unwrap().values.iter().copied().collect();
         (values("time"), values("v_total"))
@@ -543,7 +545,7 @@ fn wheels_far_apart_pass_one_after_the_other() {
     assert!(worst < 0.02, "{worst:e}");
 }
 
-fn band_rms(study: &FreeField, model: &Model, part: &str) -> Vec<f64> {
+fn band_rms(study: &FreeField, model: &Railway, part: &str) -> Vec<f64> {
     let outcome = study.run(model, &Silent).unwrap();
     outcome.group.get(part).unwrap().values.iter().copied().collect()
 }

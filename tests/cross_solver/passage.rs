@@ -6,9 +6,10 @@ use groundwave::field::{GroundField, GroundLoad, Quantity, Window};
 use groundwave::foundation::LayeredSoil;
 use groundwave::progress::Silent;
 use groundwave::rail::TrackOnFoundation;
+use groundwave::railway::{Contact, Ground, Railway, Support};
 use groundwave::signal::{EnergySpectrum, History};
 use groundwave::soil::{Solver, Strip};
-use groundwave::study::{Contact, FreeField, Model, Support};
+use groundwave::study::FreeField;
 use groundwave::vehicle::{Axle, Train};
 
 const LOAD: f64 = 150e3;
@@ -55,9 +56,8 @@ fn bands_of_the_history_are_those_of_the_spectrum() {
     let (profile, speed, y) = (named("paper_layered"), 67.5, 8.0);
     let axles = vec![Axle { position: 0.0, load: LOAD }, Axle { position: 2.5, load: 120e3 }];
     let train = Train::new(axles.clone()).unwrap();
-    let model = Model::new(
-        Support::Ground(profile.clone(), Solver::DirectStiffness),
-        Contact::Strip(strip()),
+    let model = Railway::new(
+        Support::Ground(Ground::new(profile.clone(), Solver::DirectStiffness, Some(Contact::Strip(strip())))),
         tracks::ballasted(),
         Some(train),
     )

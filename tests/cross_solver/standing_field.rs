@@ -1,7 +1,7 @@
 //! The surface around a standing load against other ways of computing it.
 
 use crate::common::{named, profile, tracks};
-use groundwave::foundation::Winkler;
+use groundwave::foundation::Springs;
 use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::strip::sinc;
 use groundwave::soil::{DirectStiffness, GroundSolver, Profile, Solver, Strip, ThinLayer};
@@ -24,7 +24,7 @@ fn field(
     let omega = TAU * frequency;
     let ground = solver.prepare_many(profile, omega, 100.0, 1e-5).unwrap();
     // k_eq is that of the prepared ground: the foundation is not asked
-    let springs = Winkler::new(1e8, 0.0, 0.0).unwrap();
+    let springs = Springs::winkler(1e8, 0.0, 0.0).unwrap();
     let (stack, _) = tracks::named(name);
     let track = TrackOnFoundation::new(&stack, &springs, 0.0);
     let t = std::time::Instant::now();
@@ -50,7 +50,7 @@ fn line_abreast_of_the_load_is_the_receptance() {
         let omega = TAU * frequency;
         let (values, error) = field((name, &profile, Solver::DirectStiffness), frequency, (&x, &y));
         let ground = Solver::DirectStiffness.prepare_many(&profile, omega, 100.0, 1e-5).unwrap();
-        let springs = Winkler::new(1e8, 0.0, 0.0).unwrap();
+        let springs = Springs::winkler(1e8, 0.0, 0.0).unwrap();
         let (stack, _) = tracks::named(name);
         let track = TrackOnFoundation::new(&stack, &springs, 0.0);
         // under the track, beside it, far from it

@@ -56,7 +56,7 @@ fn shrink(study: &mut Study) {
 
 /// Answers and norms of a study, by name.
 fn norms(case: &Case, study: &Study) -> Map<String, Value> {
-    let outcome = study.run(&case.model, &Silent).unwrap();
+    let outcome = study.run(&case.railway, &Silent).unwrap();
     let mut found = Map::new();
     for answer in &outcome.answers {
         found.insert(answer.key.clone(), answer.value.into());

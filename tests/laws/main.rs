@@ -1,7 +1,8 @@
 //! Physics that every registered ground solver, foundation and track obeys, over randomly drawn valid inputs.
 //!
 //! A law is a function returning what it measured, or what is wrong: so that `wrong` can show that each of them
-//! catches a model that breaks it. A new `Solver` variant enters `SOLVERS` and inherits every law.
+//! catches a model that breaks it. A new `Solver` variant enters `SOLVERS`, a new `FoundationModel` `springs::FOUNDATIONS`, a new track
+//! `track::TRACKS`, and inherits every law.
 //! `PROPTEST_CASES=5000 cargo test --release --test laws -- --nocapture` draws more and prints the worst value of each.
 
 mod agreement;
@@ -10,6 +11,7 @@ mod draw;
 mod ground;
 mod light_damping;
 mod moving;
+mod springs;
 mod strip;
 mod thin_layer;
 mod track;

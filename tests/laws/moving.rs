@@ -1,23 +1,23 @@
 //! Laws of tracks under moving loads, on springs and on layered ground.
 
-use crate::draw::{Ground, ground, log};
+use crate::draw::{Ground, ground};
+use crate::springs::springs;
 use crate::track::{Track, track};
 use crate::{SOLVERS, Verdict, ask, report, within};
-use groundwave::foundation::{Foundation, LayeredSoil, Winkler};
+use groundwave::foundation::{Foundation, LayeredSoil, Springs};
 use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::{Compatibility, Solver, Strip};
 use proptest::prelude::*;
 
-/// A track, a ground, springs (k, c, η), speed over the slowest Rayleigh speed of the ground.
-type Input = (Track, Ground, (f64, f64, f64), f64);
+/// A track, a ground, springs, speed over the slowest Rayleigh speed of the ground.
+type Input = (Track, Ground, Springs, f64);
 type Law = fn(&Track, &dyn Foundation, f64) -> Verdict;
 
 const LAWS: &[(&str, Law)] =
     &[("foundation", foundation), ("force balance", balance), ("drag", drag), ("mirror", mirror)];
 
 fn inputs() -> impl Strategy<Value = Input> {
-    let springs = (log(1e6, 1e10), log(1e3, 1e6), 0.0..0.3);
-    (track(), ground((1e-2, 10.0), (0.1, 1e3)), springs, 0.05..1.4)
+    (track(), ground((1e-2, 10.0), (0.1, 1e3)), springs(), 0.05..1.4)
 }
 
 /// k(−β) = k(β), k(−ω) = k̄(ω), Im k ≥ 0, k > 0 at rest; along ω = −βv the same k as point by point.
@@ -92,9 +92,7 @@ fn soil(ground: &Ground, solver: Solver) -> LayeredSoil {
 #[test]
 fn springs_obey_every_law() {
     for (name, law) in LAWS {
-        let verdict = ask(200, &inputs(), |(track, _, (k, c, eta), ratio)| {
-            law(track, &Winkler::new(*k, *c, *eta).unwrap(), 100.0 * ratio)
-        });
+        let verdict = ask(200, &inputs(), |(track, _, springs, ratio)| law(track, springs, 100.0 * ratio));
         report(&format!("springs, {name}"), verdict);
     }
 }

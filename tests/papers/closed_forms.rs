@@ -1,7 +1,7 @@
 //! What textbooks say, asked through case files: a beam on Winkler springs under a moving load, Rayleigh speeds.
 
 use crate::compute;
-use groundwave::{Case, Elastic, Material, Member, Stack, TrackOnFoundation, Winkler};
+use groundwave::{Case, Elastic, Material, Member, Springs, Stack, TrackOnFoundation};
 
 /// (damping ratio ζ, α = v/v_cr, largest downward, largest upward deflection over static), an independent inversion.
 const WINKLER: &[(f64, f64, f64, f64)] = &[
@@ -92,7 +92,7 @@ fn winkler_shapes() {
         (0.05, 0.5, 1.153_582_96, 0.106_824_05),
         (0.05, 1.0, 3.782_206_28, 2.478_044_56),
     ] {
-        let springs = Winkler::new(stiffness, 2.0 * zeta * (stiffness * mass).sqrt(), 0.0).unwrap();
+        let springs = Springs::winkler(stiffness, 2.0 * zeta * (stiffness * mass).sqrt(), 0.0).unwrap();
         let stack = Stack::new(vec![Member::beam(bending, mass, 0.0).unwrap()], vec![]);
         let response = TrackOnFoundation::new(&stack, &springs, 0.0).moving(alpha * critical, 60.0).unwrap();
         let rail = response.shape(-30.0, 0.005, 9001).rail;

@@ -5,7 +5,7 @@
 
 use crate::{Run, near, relative, run, run_with};
 use groundwave::study::TrackResponse;
-use groundwave::{Model, Silent};
+use groundwave::{Railway, Silent};
 use std::sync::LazyLock;
 
 pub const CASES: &[&str] =
@@ -29,7 +29,7 @@ fn record(run: &Run) -> Vec<(f64, f64)> {
 }
 
 /// Largest correlation of the record with the computed rail over shifts of the record's origin up to `most` [m], and the shift.
-fn correlation(model: &Model, speed: f64, record: &[(f64, f64)], most: f64) -> (f64, f64) {
+fn correlation(model: &Railway, speed: f64, record: &[(f64, f64)], most: f64) -> (f64, f64) {
     let study = TrackResponse { speeds: vec![speed], x: Some((-200.0, 40.0)), spacing: 0.1, records: vec![] };
     let outcome = study.run(model, &Silent).unwrap();
     let rail = outcome.group.get("rail").unwrap().to_vec();
@@ -68,7 +68,7 @@ fn at_70_km_h() {
     relative("down", down, 5.007, 5e-3);
     // 0.02 against 0.05: nothing rises
     assert!(mm(case, "max_up_19.44").abs() < 0.1);
-    let (value, shift) = correlation(&case.case.model, 70.0 * KM_H, &record(case), 10.0);
+    let (value, shift) = correlation(&case.case.railway, 70.0 * KM_H, &record(case), 10.0);
     // 0.986 at 1.4 m
     near("correlation", value, 0.986, 0.01);
     near("shift", shift, 1.4, 0.3);
@@ -91,8 +91,8 @@ fn at_185_km_h_the_peak_is_overstated() {
 fn the_record_shows_the_power_car_leading() {
     let record = record(&LEADING);
     let speed = 185.0 * KM_H;
-    let (leading, shift) = correlation(&LEADING.case.model, speed, &record, 10.0);
-    let (last, other) = correlation(&LAST.case.model, speed, &record, 10.0);
+    let (leading, shift) = correlation(&LEADING.case.railway, speed, &record, 10.0);
+    let (last, other) = correlation(&LAST.case.railway, speed, &record, 10.0);
     println!("leading {leading:.3} at {shift:.1} m, last {last:.3} at {other:.1} m");
     // 0.843 at 4.0 m, 0.534 at 6.6 m
     near("power car leading", leading, 0.843, 0.01);

@@ -45,7 +45,7 @@ fn run_case(case: Case) -> Run {
 }
 
 fn compute(case: Case) -> Run {
-    let outcomes = case.studies.iter().map(|s| (s.name(), s.run(&case.model, &Silent).unwrap())).collect();
+    let outcomes = case.studies.iter().map(|s| (s.name(), s.run(&case.railway, &Silent).unwrap())).collect();
     Run { case, outcomes }
 }
 

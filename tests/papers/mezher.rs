@@ -2,7 +2,6 @@
 
 use crate::{Run, near, relative, run};
 use groundwave::soil::dispersion::{SurfaceWave, modes};
-use groundwave::study::Support;
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
@@ -47,11 +46,11 @@ fn numbers(of: &str) -> Vec<f64> {
 
 #[test]
 fn curves_of_soil_and_tracks() {
-    let Support::Ground(profile, _) = BALLASTED.case.model.support() else { panic!() };
+    let profile = &BALLASTED.case.railway.ground().unwrap().profile;
     let elastic = profile.with_loss_times(0.0);
     let ground =
         |omega: f64| modes(&elastic, SurfaceWave::Rayleigh, omega, 1).modes[0].unwrap().phase_velocity;
-    let track = |run: &Run, omega: f64| omega / run.case.model.stack().free_wave(omega).unwrap();
+    let track = |run: &Run, omega: f64| omega / run.case.railway.stack().free_wave(omega).unwrap();
     let worst = |omegas: &str, speeds: &str, computed: &dyn Fn(f64) -> f64| {
         let pairs = numbers(omegas).into_iter().zip(numbers(speeds));
         let worst = pairs.map(|(omega, c)| (computed(omega) / c - 1.0).abs()).fold(0.0, f64::max);

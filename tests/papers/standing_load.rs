@@ -4,7 +4,6 @@
 use crate::{Run, folder, near, relative, run, run_case};
 use groundwave::Case;
 use groundwave::soil::dispersion::{SurfaceWave, modes};
-use groundwave::study::Support;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -52,7 +51,7 @@ impl Maps {
 
 /// Wavelength of the slowest wave of the ground of `case` [m].
 fn slowest_wave(case: &Case, frequency: f64) -> f64 {
-    let Support::Ground(profile, _) = case.model.support() else { panic!("layered ground") };
+    let profile = &case.railway.ground().unwrap().profile;
     let found = modes(profile, SurfaceWave::Rayleigh, TAU * frequency, 3);
     let slowest = found.modes.into_iter().flatten().map(|m| m.phase_velocity).fold(f64::INFINITY, f64::min);
     slowest / frequency

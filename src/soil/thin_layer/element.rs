@@ -14,9 +14,12 @@ use super::super::layer_stiffness::LayerStiffness;
 use super::super::wave::Wave;
 use nalgebra::{Matrix1, Matrix2};
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// Polynomial degree of the displacements in a sublayer.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
 pub enum Element {
     /// Two nodes; error ∝ h².
     Linear,

@@ -20,9 +20,13 @@ use super::wave::Wave;
 use super::{Compliance, GroundSolver, Pole, PreparedGround, Profile, SoilError, SurfaceCompliance, chain};
 use crate::math::complex::I;
 use crate::math::quadrature::Estimate;
+use crate::quantity::keyed;
 use mesh::{Mesh, Resolution};
 use modes::Modes;
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde::de::{Deserializer, Error};
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
@@ -31,7 +35,8 @@ use std::sync::OnceLock;
 const MOST_UNKNOWNS: usize = 400;
 
 /// How the half-space below the layers is treated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
 pub enum BelowLayers {
     /// Matched layers, so that there are modes.
     #[default]
@@ -41,30 +46,46 @@ pub enum BelowLayers {
 }
 
 /// Settings of the thin-layer method.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(default, deny_unknown_fields, remote = "Self")]
+#[schemars(rename = "ThinLayer")]
 pub struct ThinLayer {
+    /// Degree of the displacements in a sublayer.
     element: Element,
+    /// Error of G(k, ω) relative to its largest value, 1e-9 to 0.1.
     accuracy: f64,
-    per_wavelength: f64,
-    below: BelowLayers,
+    /// Sublayers to the shortest wave; by default as many as the accuracy needs.
+    sublayers_per_wavelength: Option<f64>,
+    /// How the half-space below the layers is treated.
+    half_space: BelowLayers,
     /// Wavenumbers for which the modes hold [rad/m].
+    #[serde(skip)]
     k: (f64, f64),
     /// Frequencies the same sublayers serve [rad/s]; None for the one prepared.
+    #[serde(skip)]
     frequencies: Option<(f64, f64)>,
 }
 
 impl Default for ThinLayer {
     fn default() -> Self {
-        let (element, accuracy) = (Element::Cubic, 1e-6);
-        let per_wavelength = sublayers_for(element, accuracy);
         Self {
-            element,
-            accuracy,
-            per_wavelength,
-            below: BelowLayers::Matched,
+            element: Element::Cubic,
+            accuracy: 1e-6,
+            sublayers_per_wavelength: None,
+            half_space: BelowLayers::Matched,
             k: (0.0, 100.0),
             frequencies: None,
         }
+    }
+}
+
+impl<'de> Deserialize<'de> for ThinLayer {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let key = |error: &SoilError| match error {
+            SoilError::Accuracy { .. } => "accuracy",
+            _ => "sublayers_per_wavelength",
+        };
+        Self::deserialize(deserializer)?.checked().map_err(|e| D::Error::custom(keyed(key(&e), e)))
     }
 }
 
@@ -114,16 +135,26 @@ impl ThinLayer {
         per_wavelength: Option<f64>,
         below: BelowLayers,
     ) -> Result<Self, SoilError> {
+        let sublayers_per_wavelength = per_wavelength;
+        Self { element, accuracy, sublayers_per_wavelength, half_space: below, ..Self::default() }.checked()
+    }
+
+    fn checked(self) -> Result<Self, SoilError> {
+        let accuracy = self.accuracy;
         if !(1e-9..=0.1).contains(&accuracy) {
             return Err(SoilError::Accuracy { value: accuracy });
         }
-        let needed = sublayers_for(element, accuracy);
-        let per_wavelength = per_wavelength.unwrap_or(needed);
+        let needed = sublayers_for(self.element, accuracy);
+        let given = self.per_wavelength();
         // written so that NaN is refused
-        if !(per_wavelength >= 0.99 * needed && per_wavelength.is_finite()) {
-            return Err(SoilError::Sublayers { given: per_wavelength, needed: needed.ceil(), accuracy });
+        if !(given >= 0.99 * needed && given.is_finite()) {
+            return Err(SoilError::Sublayers { given, needed: needed.ceil(), accuracy });
         }
-        Ok(Self { element, accuracy, per_wavelength, below, k: (0.0, 100.0), frequencies: None })
+        Ok(self)
+    }
+
+    fn per_wavelength(&self) -> f64 {
+        self.sublayers_per_wavelength.unwrap_or_else(|| sublayers_for(self.element, self.accuracy))
     }
 
     /// The same with modes that hold for wavenumbers from `k.0` to `k.1` [rad/m], and no finer than `accuracy` asks. The
@@ -133,8 +164,8 @@ impl ThinLayer {
         let accuracy = accuracy.max(self.accuracy);
         let coarser = (self.accuracy / accuracy).powf(0.5 / self.element.degree() as f64);
         // two sublayers to a wave at least
-        let per_wavelength = (self.per_wavelength * coarser).max(2.0).min(self.per_wavelength);
-        Self { k, accuracy, per_wavelength, ..self }
+        let given = self.per_wavelength();
+        Self { k, accuracy, sublayers_per_wavelength: Some((given * coarser).max(2.0).min(given)), ..self }
     }
 
     /// The same with one set of sublayers for all frequencies from `low` to `high` [rad/s], so that results are smooth in ω.
@@ -145,7 +176,7 @@ impl ThinLayer {
 
     /// False where the exact half-space leaves none.
     pub fn has_modes(&self) -> bool {
-        self.below == BelowLayers::Matched
+        self.half_space == BelowLayers::Matched
     }
 
     /// The settings, in words.
@@ -155,17 +186,17 @@ impl ThinLayer {
             Element::Quadratic => "quadratic",
             Element::Cubic => "cubic",
         };
-        let below = match self.below {
+        let below = match self.half_space {
             BelowLayers::Matched => "matched layers for the half-space",
             BelowLayers::Exact => "exact half-space",
         };
-        format!("{element} elements, {:.1} to a wavelength, {below}", self.per_wavelength)
+        format!("{element} elements, {:.1} to a wavelength, {below}", self.per_wavelength())
     }
 
     fn resolution(&self, omega: f64, k_max: f64) -> Resolution {
         Resolution {
             element: self.element,
-            per_wavelength: self.per_wavelength,
+            per_wavelength: self.per_wavelength(),
             accuracy: self.accuracy,
             k_min: 1e-8 * self.k.1,
             k_max,
@@ -187,7 +218,7 @@ impl GroundSolver for ThinLayer {
         all.extend(depths);
         let omega_abs = omega.abs();
         let resolution = self.resolution(omega_abs, self.k.1);
-        let mesh = match self.below {
+        let mesh = match self.half_space {
             BelowLayers::Matched => {
                 let mesh = Mesh::new(&split, omega_abs, &all, &resolution, self.k.0);
                 mesh.matched(omega_abs, &all, &resolution)

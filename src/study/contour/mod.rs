@@ -2,10 +2,11 @@
 
 mod shown;
 
-use super::{Contact, Model, Outcome, StudyError};
+use super::{Outcome, StudyError};
 use crate::field::{Field, GroundField, GroundLoad, Quantity, Window};
 use crate::memory;
 use crate::progress::Observer;
+use crate::railway::{Contact, Railway};
 use crate::soil::Profile;
 use crate::soil::strip::sinc;
 use num_complex::Complex64;
@@ -71,12 +72,13 @@ impl Contour {
     ///
     /// # Errors
     /// No ground, no train, too large a grid.
-    pub fn check(&self, model: &Model) -> Result<(), StudyError> {
-        let (profile, solver) = model.ground("contour")?;
-        let train = model.train("contour")?;
+    pub fn check(&self, railway: &Railway) -> Result<(), StudyError> {
+        let ground = railway.ground()?;
+        let (profile, solver) = (&ground.profile, ground.solver);
+        let train = railway.train()?;
         // the finest grid: the strip's edges and the longest fading distance
         let force = |_: f64| Complex64::ONE;
-        let load = match model.contact().strip() {
+        let load = match ground.contact()?.strip() {
             Some(strip) => GroundLoad::Strip {
                 force: &force,
                 beta_max: 10.0 / strip.half_width,
@@ -100,13 +102,13 @@ impl Contour {
     ///
     /// # Errors
     /// No ground, no train, undamped waves, too large a grid.
-    pub fn solve(&self, model: &Model, observer: &dyn Observer) -> Result<GroundMaps, StudyError> {
+    pub fn solve(&self, railway: &Railway, observer: &dyn Observer) -> Result<GroundMaps, StudyError> {
         observer.begin("ground contours", self.speeds.len() as u64);
         let fields = self
             .speeds
             .iter()
             .map(|&speed| {
-                let field = self.field(model, speed);
+                let field = self.field(railway, speed);
                 observer.advance();
                 field
             })
@@ -127,15 +129,16 @@ impl Contour {
     ///
     /// # Errors
     /// As `solve`.
-    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
-        Ok(self.solve(model, observer)?.shown(model))
+    pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        Ok(self.solve(railway, observer)?.shown(railway))
     }
 
     /// The field at one speed, and whether the track's spectrum met its accuracy.
-    fn field(&self, model: &Model, speed: f64) -> Result<(Field, bool), StudyError> {
-        let (profile, solver) = model.ground("contour")?;
-        let train = model.train("contour")?;
-        model.check_damping(std::iter::once(speed))?;
+    fn field(&self, railway: &Railway, speed: f64) -> Result<(Field, bool), StudyError> {
+        let ground = railway.ground()?;
+        let (profile, solver) = (&ground.profile, ground.solver);
+        let train = railway.train()?;
+        railway.check_damping(std::iter::once(speed))?;
         // the distance at which waves have faded is estimated first, then measured
         let compute = |load: GroundLoad, k: f64| -> Result<Field, StudyError> {
             let mut last = None;
@@ -158,9 +161,9 @@ impl Contour {
                 clearance *= 2.0;
             }
         };
-        match *model.contact() {
+        match ground.contact()? {
             Contact::Strip(strip) => {
-                let track = model.track()?;
+                let track = railway.track()?;
                 let spectrum = track.spectrum(speed)?;
                 let force = |beta: f64| spectrum.force(beta);
                 let load = GroundLoad::Strip {

@@ -5,8 +5,9 @@ use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::field::{Field, Quantity};
 use crate::figure::{Figure, MapFigure};
-use crate::study::doubts::{missed_accuracy, sinks_as_no_track_does};
-use crate::study::{Answer, Model, Outcome, speed_text, tag};
+use crate::railway::Railway;
+use crate::study::doubts::{missed_accuracy, outruns_waves, sinks_as_no_track_does};
+use crate::study::{Answer, Outcome, speed_text, tag};
 use ndarray::{Array1, Array2, Array3, Axis};
 
 /// Words for a quantity.
@@ -46,7 +47,7 @@ fn words(quantity: Quantity) -> Words {
 
 impl GroundMaps {
     /// Everything a run leaves.
-    pub(super) fn shown(&self, model: &Model) -> Outcome {
+    pub(super) fn shown(&self, railway: &Railway) -> Outcome {
         let mut outcome = Outcome { group: self.group(), ..Outcome::default() };
         for (i, &quantity) in self.quantities.iter().enumerate() {
             for (field, &speed) in self.fields.iter().zip(&self.speeds) {
@@ -54,7 +55,7 @@ impl GroundMaps {
                 outcome.answers.push(largest(quantity, &field.values[i], speed));
             }
         }
-        outcome.concerns = self.concerns(model);
+        outcome.concerns = self.concerns(railway);
         outcome
     }
 
@@ -103,7 +104,7 @@ impl GroundMaps {
         (Figure::Map(map), format!("At {at}, seen from the leading axle: {long}."))
     }
 
-    fn concerns(&self, model: &Model) -> Vec<Concern> {
+    fn concerns(&self, railway: &Railway) -> Vec<Concern> {
         let mut concerns = Vec::new();
         for (field, &speed) in self.fields.iter().zip(&self.speeds) {
             let at = speed_text(speed);
@@ -126,8 +127,8 @@ impl GroundMaps {
             }
         }
         concerns.extend(missed_accuracy(self.missed.iter().copied()));
-        concerns.extend(sinks_as_no_track_does(model));
-        concerns.extend(self.speeds.iter().filter_map(|v| model.outruns_waves(*v)));
+        concerns.extend(sinks_as_no_track_does(railway));
+        concerns.extend(self.speeds.iter().filter_map(|v| outruns_waves(railway, *v)));
         concerns
     }
 }

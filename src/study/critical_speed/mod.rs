@@ -6,8 +6,9 @@ mod shown;
 
 pub use curve::{Hump, Peak, Plateau, SpeedCurve};
 
-use super::{Model, Outcome, StudyError};
+use super::{Outcome, StudyError};
 use crate::progress::Observer;
+use crate::railway::{Railway, RailwayError};
 use extremes::{Extremes, reach};
 use rayon::prelude::*;
 
@@ -49,9 +50,9 @@ impl CriticalSpeed {
     ///
     /// # Errors
     /// No track, no train, undamped waves.
-    pub fn solve(&self, model: &Model, observer: &dyn Observer) -> Result<SpeedCurves, StudyError> {
-        let track = model.track()?;
-        let train = model.train("critical_speed")?;
+    pub fn solve(&self, railway: &Railway, observer: &dyn Observer) -> Result<SpeedCurves, StudyError> {
+        let track = railway.track()?;
+        let train = railway.train()?;
         let axle = train.heaviest_axle();
         let loads = if train.axles().len() > 1 { vec![&axle, train] } else { vec![&axle] };
         observer.begin("critical speed", self.speeds.len() as u64 + 3);
@@ -76,7 +77,7 @@ impl CriticalSpeed {
             .into_iter();
         observer.end();
         let Some(axle) = curves.next() else {
-            return Err(StudyError::NeedsTrain { study: "critical_speed" });
+            return Err(RailwayError::NoTrain.into());
         };
         let rows = || self.speeds.iter().copied().zip(&rows);
         let long_wake = rows().find(|(_, row)| row.0.last().is_some_and(|e| e.at_edge)).map(|(v, _)| v);
@@ -88,7 +89,7 @@ impl CriticalSpeed {
     ///
     /// # Errors
     /// As `solve`.
-    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
-        Ok(self.solve(model, observer)?.shown())
+    pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        Ok(self.solve(railway, observer)?.shown())
     }
 }

@@ -1,8 +1,9 @@
 //! The compliance of the ground over frequency and phase speed: what lies behind the curves.
 
 use super::DispersionCurves;
+use crate::railway::Ground;
+use crate::soil::GroundSolver;
 use crate::soil::dispersion::SurfaceWave;
-use crate::soil::{GroundSolver, Profile, Solver};
 use crate::study::StudyError;
 use ndarray::{Array1, Array2, Axis};
 use rayon::prelude::*;
@@ -30,7 +31,7 @@ impl Compliance {
     /// A ground that cannot answer.
     pub fn behind(
         curves: &DispersionCurves,
-        (profile, solver): (&Profile, Solver),
+        Ground { profile, solver, .. }: &Ground,
     ) -> Result<Option<Self>, StudyError> {
         let (first, last) = (curves.frequencies[0], curves.frequencies[curves.frequencies.len() - 1]);
         if first == last {

@@ -3,9 +3,10 @@
 mod map;
 mod shown;
 
-use super::{Model, Outcome, StudyError};
+use super::{Outcome, StudyError};
 use crate::math::root;
 use crate::progress::Observer;
+use crate::railway::Ground;
 use crate::soil::Profile;
 use crate::soil::dispersion::{Modes, SurfaceWave, modes};
 use crate::track::Stack;
@@ -73,17 +74,13 @@ fn lead(stack: &Stack, elastic: &Profile, omega: f64) -> f64 {
 
 impl Dispersion {
     /// Phase velocity, group velocity and attenuation of the slowest trapped modes (frequency, mode) of the ground with its
-    /// damping; phase velocity of the free undamped track; their crossing, both undamped, refined to 1e-9.
+    /// damping; phase velocity of the free undamped track `stack`, which may be empty; their crossing, both undamped, refined to 1e-9.
     ///
     /// Accuracy: that of [`modes`] and [`Stack::free_wave`]; published curves to 5e-9, crossings to 1e-7, all the
     /// digits printed (test `papers::mezher`).
-    ///
-    /// # Errors
-    /// A model on springs.
-    pub fn solve(&self, model: &Model, observer: &dyn Observer) -> Result<DispersionCurves, StudyError> {
-        let (profile, _) = model.ground("dispersion")?;
+    pub fn solve(&self, profile: &Profile, stack: &Stack, observer: &dyn Observer) -> DispersionCurves {
         // a track moves the ground vertically: it has no part in waves across
-        let stack = Some(model.stack()).filter(|_| self.wave == SurfaceWave::Rayleigh);
+        let stack = Some(stack).filter(|_| self.wave == SurfaceWave::Rayleigh);
         let elastic = profile.with_loss_times(0.0);
         observer.begin("dispersion", self.frequencies.len() as u64);
         let found: Vec<(Modes, Option<f64>, f64)> = self
@@ -101,7 +98,7 @@ impl Dispersion {
         let leads: Vec<f64> = found.iter().map(|f| f.2).collect();
         let crossing = stack.and_then(|stack| self.crossing(stack, &elastic, &leads));
         observer.end();
-        Ok(DispersionCurves {
+        DispersionCurves {
             frequencies: self.frequencies.clone(),
             count: self.modes,
             wave: self.wave,
@@ -110,16 +107,21 @@ impl Dispersion {
             leads,
             crossing,
             undamped: profile.is_undamped(),
-        })
+        }
     }
 
     /// As [`Self::solve`], shown over the compliance of the ground.
     ///
     /// # Errors
-    /// As `solve`.
-    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
-        let curves = self.solve(model, observer)?;
-        let compliance = Compliance::behind(&curves, model.ground("dispersion")?)?;
+    /// A ground that cannot answer.
+    pub fn run(
+        &self,
+        ground: &Ground,
+        stack: &Stack,
+        observer: &dyn Observer,
+    ) -> Result<Outcome, StudyError> {
+        let curves = self.solve(&ground.profile, stack, observer);
+        let compliance = Compliance::behind(&curves, ground)?;
         Ok(curves.shown(compliance))
     }
 

@@ -2,9 +2,11 @@
 
 mod shown;
 
-use super::{Model, Outcome, StudyError};
-use crate::foundation::Stiffness;
+use super::doubts::deep_rock;
+use super::{Outcome, StudyError};
+use crate::foundation::{Foundation, Stiffness};
 use crate::progress::Observer;
+use crate::railway::Railway;
 use ndarray::Array2;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -35,9 +37,12 @@ impl EquivalentStiffness {
     /// Accuracy: 5e-10 of 192 nine-digit values (test `cross_solver::k_eq`).
     ///
     /// # Errors
-    /// A point load; undamped ground where waves exist.
-    pub fn solve(&self, model: &Model, observer: &dyn Observer) -> Result<StiffnessTable, StudyError> {
-        let foundation = model.foundation()?;
+    /// Undamped ground where waves exist.
+    pub fn solve(
+        &self,
+        foundation: &dyn Foundation,
+        observer: &dyn Observer,
+    ) -> Result<StiffnessTable, StudyError> {
         let omega: Vec<f64> = self.frequencies.iter().map(|f| TAU * f).collect();
         let shape = (omega.len(), self.beta.len());
         observer.begin("equivalent stiffness", (shape.0 * shape.1) as u64);
@@ -57,10 +62,12 @@ impl EquivalentStiffness {
     /// As [`Self::solve`], shown.
     ///
     /// # Errors
-    /// As `solve`.
-    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
-        let mut outcome = self.solve(model, observer)?.shown();
-        outcome.concerns.extend(model.deep_rock(&self.frequencies));
+    /// As `solve`; ground that nothing loads, or points, has no foundation.
+    pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        let mut outcome = self.solve(railway.foundation()?, observer)?.shown();
+        outcome
+            .concerns
+            .extend(railway.ground().ok().and_then(|ground| deep_rock(&ground.profile, &self.frequencies)));
         Ok(outcome)
     }
 }

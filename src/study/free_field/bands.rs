@@ -8,6 +8,7 @@ use crate::field::{Sections, transfer};
 use crate::irregularity::Spectrum;
 use crate::math::interpolation::cubic_weights;
 use crate::progress::Observer;
+use crate::railway::Ground;
 use crate::signal::{EnergySpectrum, History};
 use crate::soil::{GroundSolver, Profile, Solver};
 use crate::vehicle::Axle;
@@ -110,7 +111,7 @@ impl Slow {
                 let omega = TAU * (low + step * i as f64).exp();
                 let ground = solver.prepare(profile, omega, &[])?;
                 let at = (omega / study.speed, omega);
-                let h = |y: &f64| transfer(pass.model.stack(), ground.as_ref(), pass.strip, at, *y);
+                let h = |y: &f64| transfer(pass.railway.stack(), ground.as_ref(), pass.strip, at, *y);
                 Ok(study.receivers.iter().map(h).collect())
             })
             .collect::<Result<_, StudyError>>()?;
@@ -144,7 +145,7 @@ impl Energies {
     /// A ground that cannot answer.
     pub fn quasi_static(pass: &Pass, sections: &Sections) -> Result<Self, StudyError> {
         let study = pass.study;
-        let (profile, solver) = pass.model.ground("free_field")?;
+        let Ground { profile, solver, .. } = pass.railway.ground()?;
         let (Some(first), Some(last)) = (study.bands.first(), study.bands.last()) else {
             let nothing = Array2::zeros((study.receivers.len(), 0));
             return Ok(Self {
@@ -155,7 +156,7 @@ impl Energies {
             });
         };
         let slow = if study.speed < profile.slowest_rayleigh_speed() {
-            Some(Slow::new(pass, (profile, super::pointwise(solver)), (first.lower(), last.upper()))?)
+            Some(Slow::new(pass, (profile, super::pointwise(*solver)), (first.lower(), last.upper()))?)
         } else {
             None
         };
@@ -305,14 +306,14 @@ impl Pass<'_> {
         let phase = high.exp() * self.train.length().clamp(1.0, COUPLED) / (0.25 * TAU);
         // slow wheels: waves of all phase speeds meet within Ω (1 ± v/c)
         let fastest = self
-            .model
-            .ground("free_field")
-            .map_or(0.0, |(profile, _)| profile.materials().map(|m| m.c_s()).fold(0.0, f64::max));
+            .railway
+            .ground()
+            .map_or(0.0, |ground| ground.profile.materials().map(|m| m.c_s()).fold(0.0, f64::max));
         // within which a branch point is blurred by damping alone
         let least = self
-            .model
-            .ground("free_field")
-            .map_or(1.0, |(profile, _)| profile.materials().map(|m| m.loss_factor()).fold(1.0, f64::min));
+            .railway
+            .ground()
+            .map_or(1.0, |ground| ground.profile.materials().map(|m| m.loss_factor()).fold(1.0, f64::min));
         let narrow = least.max(1e-3).recip().max(20.0) * fastest / speed;
         let count = ((high - low) * COMPONENTS.max(phase).max(narrow)).ceil() as usize;
         let width = (high - low) / count as f64;

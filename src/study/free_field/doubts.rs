@@ -2,8 +2,10 @@
 
 use super::{Answered, Carrier, Driven, FreeField, Irregularity};
 use crate::concern::Concern;
+use crate::railway::{Ground, Railway};
+use crate::study::doubts::outruns_waves;
 use crate::study::doubts::sinks_as_no_track_does;
-use crate::study::{Model, speed_text};
+use crate::study::speed_text;
 use ndarray::Array2;
 use std::f64::consts::TAU;
 
@@ -92,10 +94,10 @@ fn largest_force(driven: &[Driven], random: bool) -> f64 {
 
 impl FreeField {
     /// Speeds and wavelengths the result may be doubted for.
-    pub(super) fn concerns(&self, model: &Model) -> Vec<Concern> {
-        let mut concerns: Vec<Concern> = model.outruns_waves(self.speed).into_iter().collect();
-        concerns.extend(sinks_as_no_track_does(model));
-        if let Ok((profile, _)) = model.ground("free_field") {
+    pub(super) fn concerns(&self, railway: &Railway) -> Vec<Concern> {
+        let mut concerns: Vec<Concern> = outruns_waves(railway, self.speed).into_iter().collect();
+        concerns.extend(sinks_as_no_track_does(railway));
+        if let Ok(Ground { profile, .. }) = railway.ground() {
             let slowest = profile.slowest_rayleigh_speed();
             if self.speed >= slowest {
                 concerns.push(Concern::new(

@@ -19,12 +19,19 @@ pub struct Measure {
     of: fn(&History) -> f64,
 }
 
+/// Three digits of `value`, with a power of ten where it is small.
+pub fn significant(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".into(),
+        size if size < 1e-4 => format!("{value:.2e}"),
+        size => format!("{value:.*}", (2 - size.log10().floor() as i32).max(0) as usize),
+    }
+}
+
 impl Measure {
     /// A value of it in units a reader expects, as text without unit.
     pub fn number(&self, value: f64) -> String {
-        let value = if self.units == "m s-1" { 1e3 * value } else { value };
-        let digits = (2 - value.abs().max(1e-12).log10().floor() as i32).clamp(0, 9) as usize;
-        format!("{value:.digits$}")
+        significant(if self.units == "m s-1" { 1e3 * value } else { value })
     }
 
     /// The same with its unit.

@@ -20,7 +20,7 @@ mod passes;
 mod shown;
 
 use super::contour::check_memory;
-use super::{Contact, Model, Outcome, StudyError};
+use super::{Outcome, StudyError};
 use crate::assessment::Band;
 use crate::concern::Concern;
 use crate::contact::{ContactForces, WheelRail};
@@ -29,6 +29,7 @@ use crate::foundation::LayeredSoil;
 use crate::irregularity::{Realisation, Spectrum, random_starts};
 use crate::progress::Observer;
 use crate::rail::TrackOnFoundation;
+use crate::railway::{Contact, Ground, Railway, RailwayError};
 use crate::soil::{Profile, Solver, Strip};
 use crate::vehicle::{Multibody, Train};
 use num_complex::Complex64;
@@ -142,7 +143,7 @@ pub struct FreeField {
 /// What the parts of the study share.
 struct Pass<'a> {
     study: &'a FreeField,
-    model: &'a Model,
+    railway: &'a Railway,
     train: &'a Train,
     strip: Strip,
     /// T [s]
@@ -157,18 +158,18 @@ impl FreeField {
     ///
     /// # Errors
     /// No layered ground, no train, wheels that are not those of the train, a receiver on the track, undamped waves.
-    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
-        let train = self.train(model)?;
-        let strip = model.contact().strip().ok_or(StudyError::PointLoad)?;
+    pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        let train = self.train(railway)?;
+        let strip = railway.ground()?.strip()?;
         let passage_time = self.passage_time.unwrap_or((train.length() + 2.0 * self.farthest()) / self.speed);
-        let pass = Pass { study: self, model, train, strip, passage_time };
+        let pass = Pass { study: self, railway, train, strip, passage_time };
         let times = pass.times();
         let (mut converged, mut followed) = (true, true);
 
-        let (profile, solver) = model.ground("free_field")?;
+        let Ground { profile, solver, .. } = railway.ground()?;
         // each β along ω̃ − βv has its own ω
-        let soil = LayeredSoil::new(profile.clone(), pointwise(solver), strip)?;
-        let track = TrackOnFoundation::new(model.stack(), &soil, 0.0);
+        let soil = LayeredSoil::new(profile.clone(), pointwise(*solver), strip)?;
+        let track = TrackOnFoundation::new(railway.stack(), &soil, 0.0);
         let solver = pass.ground()?.1;
         let quasi_static = pass.quasi_static(&track, times, observer)?;
         converged &= quasi_static.converged;
@@ -230,7 +231,7 @@ impl FreeField {
             driven,
             sections: solver.name(),
         };
-        let mut concerns = self.concerns(model);
+        let mut concerns = self.concerns(railway);
         concerns.extend(answer.concerns());
         concerns.extend(answer.contradictions()?);
         if !converged {
@@ -262,8 +263,8 @@ impl FreeField {
     }
 
     /// The axles, which are those of the bodies.
-    fn train<'a>(&self, model: &'a Model) -> Result<&'a Train, StudyError> {
-        let train = model.train("free_field")?;
+    fn train<'a>(&self, railway: &'a Railway) -> Result<&'a Train, StudyError> {
+        let train = railway.train()?;
         let Some(roughness) = &self.roughness else { return Ok(train) };
         let (axles, wheels) = (train.axles(), roughness.bodies.axles());
         let apart = axles.iter().zip(wheels).any(|(a, w)| (a.position - w.position).abs() > 1e-6);
@@ -277,23 +278,22 @@ impl FreeField {
     ///
     /// # Errors
     /// As `run`.
-    pub fn check(&self, model: &Model) -> Result<(), StudyError> {
-        model.ground("free_field")?;
-        self.train(model)?;
-        model.receivers(&self.receivers)?;
-        let Contact::Strip(strip) = *model.contact() else {
-            return Err(StudyError::NeedsTrack { study: "free_field" });
+    pub fn check(&self, railway: &Railway) -> Result<(), StudyError> {
+        railway.ground()?;
+        self.train(railway)?;
+        railway.check_receivers(&self.receivers)?;
+        railway.track()?;
+        let Contact::Strip(strip) = railway.ground()?.contact()? else {
+            return Err(RailwayError::NoTrack.into());
         };
-        let pass = Pass { study: self, model, train: model.train("free_field")?, strip, passage_time: 1.0 };
+        let pass = Pass { study: self, railway, train: railway.train()?, strip, passage_time: 1.0 };
         let profiles = match self.roughness.as_ref().map(|r| &r.irregularity) {
             Some(Irregularity::Random { count, .. }) => *count,
             _ => 1,
         };
         // a history, and an eighth of it as complex harmonics, for each profile and receiver
         let (samples, histories) = (pass.times().count, profiles * self.receivers.len());
-        check_memory("histories", (samples, histories), 16 * (samples as u64) * (histories as u64))?;
-        // wheels shed waves of every phase speed
-        model.check_damping(std::iter::once(f64::INFINITY))
+        check_memory("histories", (samples, histories), 16 * (samples as u64) * (histories as u64))
     }
 }
 
@@ -329,7 +329,7 @@ impl Pass<'_> {
         let slowest = profile.slowest_rayleigh_speed();
         let section = |omega: f64| {
             let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
-            Ok(Section::new(self.model.stack(), ground.as_ref(), self.strip, omega, &self.study.receivers))
+            Ok(Section::new(self.railway.stack(), ground.as_ref(), self.strip, omega, &self.study.receivers))
         };
         let range = (TAU * lowest, TAU * highest);
         Sections::new(range, &self.study.receivers, 1.0 / slowest, section, observer)
@@ -337,8 +337,8 @@ impl Pass<'_> {
 
     /// The ground and what answers for it across the track.
     fn ground(&self) -> Result<(&Profile, Solver), StudyError> {
-        let (profile, solver) = self.model.ground("free_field")?;
-        Ok((profile, self.study.sections.unwrap_or(solver)))
+        let Ground { profile, solver, .. } = self.railway.ground()?;
+        Ok((profile, self.study.sections.unwrap_or(*solver)))
     }
 
     /// e^{−iωa_i/v} for ω = `omega`, a_i from the leading axle.

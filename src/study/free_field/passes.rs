@@ -8,6 +8,7 @@ use crate::math::complex::I;
 use crate::math::fourier::{fast_size, from_half_spectrum};
 use crate::progress::Observer;
 use crate::rail::TrackOnFoundation;
+use crate::railway::Ground;
 use ndarray::Array2;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -68,8 +69,8 @@ impl Pass<'_> {
         times: Times,
         observer: &dyn Observer,
     ) -> Result<QuasiStatic, StudyError> {
-        let (profile, solver) = self.model.ground("free_field")?;
-        let solver = super::pointwise(solver);
+        let Ground { profile, solver, .. } = self.railway.ground()?;
+        let solver = super::pointwise(*solver);
         let speed = self.study.speed;
         let reach = speed * times.period().max(times.first.abs());
         observer.begin("quasi-static", self.study.receivers.len() as u64);

@@ -1,6 +1,6 @@
 //! What a reader sees of the free field: answers and pictures.
 
-use super::metrics::{MEASURES, TOLD, V_SLOW_MAXIMUM};
+use super::metrics::{MEASURES, TOLD, V_SLOW_MAXIMUM, significant};
 use super::{Answered, Irregularity};
 use crate::assessment::{Band, Level, Reference};
 use crate::figure::{Figure, LineFigure, Series, Stroke};
@@ -52,8 +52,8 @@ impl Answered<'_> {
             "less than 1e-10 of what the track feels arrives".into()
         };
         let what = format!("R.m.s. velocity at {y} m over {:.2} s, all bands", self.pass.passage_time);
-        let (parts, whole) = ((1e3 * quasi_static, 1e3 * dynamic), 1e3 * value);
-        let shown = format!("{whole:.4} mm/s (quasi-static {:.4}, dynamic {:.4}), {level}", parts.0, parts.1);
+        let [whole, smooth, rough] = [value, quasi_static, dynamic].map(|v| significant(1e3 * v));
+        let shown = format!("{whole} mm/s (quasi-static {smooth}, dynamic {rough}), {level}");
         Ok(Answer::new(&format!("v_rms_{y}"), what, value, "m/s", shown))
     }
 
@@ -71,7 +71,7 @@ impl Answered<'_> {
         let row = total.row(r);
         let top = (0..row.len()).max_by(|&a, &b| row[a].total_cmp(&row[b])).unwrap_or(0);
         let peak = study.bands[top];
-        let shown = format!("{} Hz, {:.4} mm/s", peak.label(), 1e3 * row[top]);
+        let shown = format!("{} Hz, {} mm/s", peak.label(), significant(1e3 * row[top]));
         let mut answers = vec![answer("peak_band", "Strongest band", peak, shown)];
         let last = (0..row.len()).rev().find(|&b| quasi_static[(r, b)] > dynamic[(r, b)]);
         if let Some(crossing) = last.filter(|b| b + 1 < row.len() && study.roughness.is_some()) {

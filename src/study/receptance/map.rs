@@ -3,8 +3,9 @@
 use super::{GROUND_ACCURACY, K_MAX};
 use crate::field::{StandingField, Window};
 use crate::progress::Observer;
+use crate::railway::{Ground, Railway};
+use crate::study::StudyError;
 use crate::study::contour::check_memory;
-use crate::study::{Model, StudyError};
 use std::f64::consts::TAU;
 
 /// Maps of the ground's surface around the force.
@@ -34,8 +35,8 @@ impl ReceptanceMap {
     ///
     /// # Errors
     /// No ground, too large a map.
-    pub fn check(&self, model: &Model) -> Result<(), StudyError> {
-        model.ground("receptance.map")?;
+    pub fn check(&self, railway: &Railway) -> Result<(), StudyError> {
+        railway.ground()?;
         let Window { x, y, spacing } = self.window;
         let count = |side: (f64, f64)| (side.1 - side.0) / spacing + 1.0;
         // the field, its parts and its pictures: eight numbers each
@@ -50,10 +51,10 @@ impl ReceptanceMap {
     ///
     /// # Errors
     /// No track, no ground, undamped waves.
-    pub fn solve(&self, model: &Model, observer: &dyn Observer) -> Result<Surface, StudyError> {
-        let track = model.track()?;
-        let (profile, solver) = model.ground("receptance.map")?;
-        let Some(strip) = model.contact().strip() else { return Err(StudyError::PointLoad) };
+    pub fn solve(&self, railway: &Railway, observer: &dyn Observer) -> Result<Surface, StudyError> {
+        let track = railway.track()?;
+        let ground = railway.ground()?;
+        let (Ground { profile, solver, .. }, strip) = (ground, ground.strip()?);
         let (x, y) = (self.window.x_positions(), self.window.y_positions());
         observer.begin("receptance maps", self.frequencies.len() as u64);
         let fields = self
@@ -61,8 +62,8 @@ impl ReceptanceMap {
             .iter()
             .map(|frequency| {
                 let omega = TAU * frequency;
-                let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
-                let field = track.standing_field(omega, ground.as_ref(), strip, (&x, &y))?;
+                let prepared = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
+                let field = track.standing_field(omega, prepared.as_ref(), strip, (&x, &y))?;
                 observer.advance();
                 Ok(field)
             })

@@ -6,8 +6,9 @@ mod shown;
 
 pub use map::{ReceptanceMap, Surface};
 
-use super::{Model, Outcome, StudyError};
+use super::{Outcome, StudyError};
 use crate::progress::Observer;
+use crate::railway::{Ground, Railway};
 use ndarray::Array2;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -50,15 +51,26 @@ pub struct Receptances {
 type Row = (Complex64, Vec<Complex64>, bool);
 
 impl Receptance {
+    /// Refuses receivers on the track and maps beyond the free memory.
+    ///
+    /// # Errors
+    /// Either, and receivers or a map without layered ground.
+    pub fn check(&self, railway: &Railway) -> Result<(), StudyError> {
+        if !self.receivers.is_empty() {
+            railway.check_receivers(&self.receivers)?;
+        }
+        self.map.as_ref().map_or(Ok(()), |map| map.check(railway))
+    }
+
     /// Displacements of rail and ground per unit force e^{iωt} on the rail [m/N], positive down.
     ///
     /// Accuracy: 2.3e-4 of the rail, 2.3e-5 of the ground (test `cross_solver::receptance`).
     ///
     /// # Errors
     /// No track, receivers or a map without layered ground, undamped waves.
-    pub fn solve(&self, model: &Model, observer: &dyn Observer) -> Result<Receptances, StudyError> {
-        let track = model.track()?;
-        let ground = if self.receivers.is_empty() { None } else { Some(model.ground("receptance")?) };
+    pub fn solve(&self, railway: &Railway, observer: &dyn Observer) -> Result<Receptances, StudyError> {
+        let track = railway.track()?;
+        let ground = if self.receivers.is_empty() { None } else { Some(railway.ground()?) };
         observer.begin("receptance", self.frequencies.len() as u64);
         let rows: Vec<Row> = self
             .frequencies
@@ -66,12 +78,13 @@ impl Receptance {
             .map(|frequency| {
                 let omega = TAU * frequency;
                 let load = track.harmonic(omega, 0.0, 0.0)?;
-                let (receivers, met) = match (ground, model.contact().strip()) {
-                    (Some((profile, solver)), Some(strip)) => {
-                        let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
-                        track.ground(omega, ground.as_ref(), strip, &self.receivers)?
+                let (receivers, met) = match ground {
+                    Some(ground) => {
+                        let Ground { profile, solver, .. } = ground;
+                        let prepared = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
+                        track.ground(omega, prepared.as_ref(), ground.strip()?, &self.receivers)?
                     }
-                    _ => (Vec::new(), true),
+                    None => (Vec::new(), true),
                 };
                 observer.advance();
                 Ok((load.rail(0.0), receivers, load.converged && met))
@@ -86,7 +99,7 @@ impl Receptance {
             rail: rows.iter().map(|row| row.0).collect(),
             ground: Array2::from_shape_fn(shape, |(r, f)| rows[f].1[r]),
             missed: missed.map(|(f, _)| *f).collect(),
-            map: self.map.as_ref().map(|map| map.solve(model, observer)).transpose()?,
+            map: self.map.as_ref().map(|map| map.solve(railway, observer)).transpose()?,
         })
     }
 
@@ -94,7 +107,7 @@ impl Receptance {
     ///
     /// # Errors
     /// As `solve`.
-    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
-        Ok(self.solve(model, observer)?.shown())
+    pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        Ok(self.solve(railway, observer)?.shown())
     }
 }

@@ -2,8 +2,10 @@
 
 mod shown;
 
-use super::{Model, Outcome, StudyError};
+use super::doubts::deep_rock;
+use super::{Outcome, StudyError};
 use crate::progress::Observer;
+use crate::railway::Ground;
 use crate::soil::{GroundSolver, SurfaceCompliance};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -34,9 +36,9 @@ impl SurfaceComplianceTable {
     /// Accuracy: that of the solver (test `cross_solver::surface_compliance`).
     ///
     /// # Errors
-    /// A model on springs.
-    pub fn solve(&self, model: &Model, observer: &dyn Observer) -> Result<Compliances, StudyError> {
-        let (profile, solver) = model.ground("surface_compliance")?;
+    /// A ground that cannot answer.
+    pub fn solve(&self, ground: &Ground, observer: &dyn Observer) -> Result<Compliances, StudyError> {
+        let Ground { profile, solver, .. } = ground;
         observer.begin("surface compliance", self.frequencies.len() as u64);
         let rows = self
             .frequencies
@@ -55,9 +57,9 @@ impl SurfaceComplianceTable {
     ///
     /// # Errors
     /// As `solve`.
-    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
-        let mut outcome = self.solve(model, observer)?.shown();
-        outcome.concerns.extend(model.deep_rock(&self.frequencies));
+    pub fn run(&self, ground: &Ground, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        let mut outcome = self.solve(ground, observer)?.shown();
+        outcome.concerns.extend(deep_rock(&ground.profile, &self.frequencies));
         Ok(outcome)
     }
 }

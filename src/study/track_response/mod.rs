@@ -2,9 +2,10 @@
 
 mod shown;
 
-use super::{Model, Outcome, StudyError};
+use super::{Outcome, StudyError};
 use crate::math::decimal::arithmetic;
 use crate::progress::Observer;
+use crate::railway::Railway;
 use ndarray::Array2;
 
 /// A measured or published record to be drawn beside the computed one.
@@ -64,9 +65,9 @@ impl TrackResponse {
     ///
     /// # Errors
     /// No track, no train, undamped waves.
-    pub fn solve(&self, model: &Model, observer: &dyn Observer) -> Result<TrackShapes, StudyError> {
-        let track = model.track()?;
-        let train = model.train("track_response")?;
+    pub fn solve(&self, railway: &Railway, observer: &dyn Observer) -> Result<TrackShapes, StudyError> {
+        let track = railway.track()?;
+        let train = railway.train()?;
         let lead = train.axles()[0].position;
         let (from, to) = self.x.unwrap_or((-(train.length() + 40.0), 20.0));
         let count = ((to - from) / self.spacing + 1e-9).floor() as usize + 1;
@@ -100,8 +101,8 @@ impl TrackResponse {
     ///
     /// # Errors
     /// As `solve`.
-    pub fn run(&self, model: &Model, observer: &dyn Observer) -> Result<Outcome, StudyError> {
-        Ok(self.solve(model, observer)?.shown(&self.records, model))
+    pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        Ok(self.solve(railway, observer)?.shown(&self.records, railway))
     }
 }
 

@@ -4,8 +4,9 @@ use super::{Record, TrackShapes, same_speed, tag};
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
-use crate::study::doubts::{missed_accuracy, sinks_as_no_track_does};
-use crate::study::{Answer, Model, Outcome, speed_text};
+use crate::railway::Railway;
+use crate::study::doubts::{missed_accuracy, outruns_waves, sinks_as_no_track_does};
+use crate::study::{Answer, Outcome, speed_text};
 use ndarray::Array1;
 
 fn millimetres<'a>(values: impl IntoIterator<Item = &'a f64>) -> Vec<f64> {
@@ -14,13 +15,13 @@ fn millimetres<'a>(values: impl IntoIterator<Item = &'a f64>) -> Vec<f64> {
 
 impl TrackShapes {
     /// Everything a run leaves.
-    pub(super) fn shown(&self, records: &[Record], model: &Model) -> Outcome {
+    pub(super) fn shown(&self, records: &[Record], railway: &Railway) -> Outcome {
         let rows = 0..self.speeds.len();
         Outcome {
             group: self.group(records),
             figures: rows.clone().map(|row| self.figure(row, records)).collect(),
             answers: rows.flat_map(|row| self.answers(row)).collect(),
-            concerns: self.concerns(model),
+            concerns: self.concerns(railway),
         }
     }
 
@@ -89,9 +90,9 @@ impl TrackShapes {
         group
     }
 
-    fn concerns(&self, model: &Model) -> Vec<Concern> {
+    fn concerns(&self, railway: &Railway) -> Vec<Concern> {
         let missed = missed_accuracy(self.missed.iter().copied());
-        let fast = self.speeds.iter().filter_map(|v| model.outruns_waves(*v));
-        missed.into_iter().chain(sinks_as_no_track_does(model)).chain(fast).collect()
+        let fast = self.speeds.iter().filter_map(|v| outruns_waves(railway, *v));
+        missed.into_iter().chain(sinks_as_no_track_does(railway)).chain(fast).collect()
     }
 }

@@ -1,0 +1,26 @@
+//! Files beside a case, and what keeps them from being read, in plain words.
+
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// The text of the file at `path`.
+///
+/// # Errors
+/// Why there is none.
+pub fn text(path: &Path) -> Result<String, String> {
+    let bytes = std::fs::read(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => "there is no such file".to_owned(),
+        ErrorKind::PermissionDenied => "reading it is not permitted".to_owned(),
+        ErrorKind::IsADirectory => "it is a folder".to_owned(),
+        _ => error.to_string(),
+    })?;
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        return Err("it is UTF-16 text: save it as UTF-8".to_owned());
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let from = error.utf8_error().valid_up_to();
+        let bytes = error.as_bytes();
+        let line = 1 + bytes[..from].iter().filter(|byte| **byte == b'\n').count();
+        format!("line {line} is not UTF-8 text (byte {:02X}): save the file as UTF-8", bytes[from])
+    })
+}

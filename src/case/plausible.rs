@@ -1,0 +1,302 @@
+//! Numbers that are probably in another unit: one table of what a key can mean and of what is usual.
+//!
+//! It is held against the TOML text itself, and needs no knowledge of the structures read from it. Ranges are of the order of
+//! magnitude: they catch kilo- and mega-units, millimetres and per cent, and leave every real railway in peace.
+
+use super::error::{CaseError, Finding};
+use crate::concern::Concern;
+use toml::Value;
+
+/// An SI unit, and the units people write instead with their size in it.
+struct Unit {
+    name: &'static str,
+    slips: &'static [(&'static str, f64)],
+    /// What more to say.
+    note: &'static str,
+}
+
+const fn unit(name: &'static str, slips: &'static [(&'static str, f64)]) -> Unit {
+    Unit { name, slips, note: "" }
+}
+
+const METRE: Unit = unit("m", &[("mm", 1e-3), ("cm", 1e-2), ("µm", 1e-6)]);
+const SPEED: Unit = unit("m/s", &[("km/h", 1.0 / 3.6), ("km/s", 1e3)]);
+/// Speeds of trains, which may stand with their unit: then they are no numbers, and taken as meant.
+const TRAVEL: Unit = Unit {
+    name: "m/s",
+    slips: &[("km/h", 1.0 / 3.6)],
+    note: "; with its unit, as in \"250 m/s\", it is taken as meant",
+};
+const SECOND: Unit = unit("s", &[("ms", 1e-3)]);
+const RATIO: Unit = unit("", &[("%", 1e-2)]);
+const DENSITY: Unit = unit("kg/m³", &[("t/m³", 1e3), ("kN/m³", 1e3 / 9.81)]);
+const PRESSURE: Unit = unit("Pa", &[("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9)]);
+const NEWTON: Unit = unit("N", &[("kN", 1e3), ("t", 9.81e3)]);
+const AXIAL: Unit = unit("N", &[("kN", 1e3), ("MN", 1e6)]);
+const KILOGRAM: Unit = unit("kg", &[("t", 1e3)]);
+const INERTIA: Unit = unit("kg m²", &[("t m²", 1e3)]);
+const LINE_MASS: Unit = unit("kg/m", &[("t/m", 1e3)]);
+const BENDING: Unit = unit("N m²", &[("kN m²", 1e3), ("MN m²", 1e6)]);
+const LINE_SPRING: Unit = unit("N/m²", &[("kN/m²", 1e3), ("MN/m²", 1e6), ("GN/m²", 1e9)]);
+const LINE_DAMPER: Unit = unit("N s/m²", &[("kN s/m²", 1e3), ("MN s/m²", 1e6)]);
+const SPRING: Unit = unit("N/m", &[("kN/m", 1e3), ("MN/m", 1e6), ("GN/m", 1e9)]);
+const DAMPER: Unit = unit("N s/m", &[("kN s/m", 1e3), ("MN s/m", 1e6)]);
+const ROUGHNESS: Unit = unit("m³", &[("cm³", 1e-6)]);
+
+/// What the absolute value of a key can be.
+struct Row {
+    /// Path of the key; `*` is any one step, `[]` any place of a list.
+    key: &'static str,
+    unit: Unit,
+    /// Outside, it is refused.
+    possible: (f64, f64),
+    /// Outside, it is a concern.
+    usual: (f64, f64),
+}
+
+const fn row(key: &'static str, unit: Unit, possible: (f64, f64), usual: (f64, f64)) -> Row {
+    Row { key, unit, possible, usual }
+}
+
+/// Any size is possible.
+const ANY: (f64, f64) = (0.0, f64::INFINITY);
+
+/// The first row that fits a key counts. Zero always passes: it means "none" where it may stand at all.
+const TABLE: &[Row] = &[
+    row("soil.*.thickness", METRE, (0.0, 1e4), (0.02, 300.0)),
+    row("soil.*.young", PRESSURE, ANY, (1e5, 2e11)),
+    row("soil.*.shear_speed", SPEED, ANY, (15.0, 5000.0)),
+    row("soil.*.pressure_speed", SPEED, ANY, (30.0, 9000.0)),
+    row("soil.*.density", DENSITY, (5.0, 25e3), (700.0, 3500.0)),
+    row("soil.*.damping_ratio", RATIO, (0.0, 1.0), (0.0, 0.3)),
+    row("soil.*.damping_ratio_pressure", RATIO, (0.0, 1.0), (0.0, 0.3)),
+    row("soil.*.loss_factor", RATIO, (0.0, 2.0), (0.0, 0.6)),
+    row("soil.*.loss_factor_pressure", RATIO, (0.0, 2.0), (0.0, 0.6)),
+    row("foundation.stiffness", LINE_SPRING, (1e3, 1e13), (1e6, 1e10)),
+    row("foundation.damping", LINE_DAMPER, ANY, (1e2, 1e8)),
+    row("foundation.loss_factor", RATIO, (0.0, 5.0), (0.0, 2.0)),
+    row("foundation.shear", AXIAL, ANY, (1e4, 1e10)),
+    row("foundation.tension", AXIAL, ANY, (1e4, 1e10)),
+    row("foundation.bending_stiffness", BENDING, ANY, (1e3, 1e11)),
+    row("foundation.upper_stiffness", LINE_SPRING, (1e3, f64::INFINITY), (1e6, 1e12)),
+    row("track.rail.bending_stiffness", BENDING, (1e3, 1e10), (2e5, 1e8)),
+    row("track.rail.mass", LINE_MASS, (1.0, 1e4), (15.0, 300.0)),
+    row("track.pad.stiffness", LINE_SPRING, (1e5, 1e14), (5e6, 2e10)),
+    row("track.pad.damping", LINE_DAMPER, ANY, (3e2, 1e7)),
+    row("track.sleeper.mass", LINE_MASS, (1.0, 1e5), (20.0, 3000.0)),
+    row("track.ballast.young", PRESSURE, (1e4, 1e12), (5e6, 2e9)),
+    row("track.ballast.height", METRE, (0.01, 50.0), (0.05, 3.0)),
+    row("track.ballast.alpha", RATIO, (1e-3, 10.0), (0.02, 1.0)),
+    row("track.ballast.wave_speed", SPEED, (5.0, 1e4), (50.0, 2000.0)),
+    row("track.ballast.density", DENSITY, (5.0, 25e3), (700.0, 3500.0)),
+    row("track.ballast.stiffness", LINE_SPRING, (1e4, 1e13), (5e6, 2e10)),
+    row("track.ballast.damping", LINE_DAMPER, ANY, (3e2, 1e8)),
+    row("track.ballast.mass", LINE_MASS, (5.0, 1e6), (100.0, 2e4)),
+    row("track.slab.bending_stiffness", BENDING, (1e3, 1e13), (1e6, 1e11)),
+    row("track.slab.mass", LINE_MASS, (10.0, 1e6), (200.0, 3e4)),
+    row("track.beam.bending_stiffness", BENDING, (1e3, 1e13), (2e5, 1e11)),
+    row("track.beam.mass", LINE_MASS, (1.0, 1e7), (15.0, 1e5)),
+    row("track.*.loss_factor", RATIO, (0.0, 5.0), (0.0, 2.0)),
+    row("track.contact.half_width", METRE, (1e-3, 500.0), (0.1, 25.0)),
+    row("track.load.half_width", METRE, (1e-4, 500.0), (0.01, 25.0)),
+    row("track.load.half_length", METRE, (1e-4, 500.0), (0.01, 25.0)),
+    row("train.axles[].load", NEWTON, ANY, (5e3, 6e5)),
+    row("train.length", METRE, (0.5, 5e3), (4.0, 500.0)),
+    row("train.unsprung_mass", KILOGRAM, (10.0, 1e5), (200.0, 6000.0)),
+    row("train.body.mass", KILOGRAM, (200.0, 1e7), (4e3, 2e5)),
+    row("train.body.pitch_inertia", INERTIA, (1e3, 1e9), (2e4, 2e7)),
+    row("train.body.bogie_centres", METRE, (0.5, 200.0), (3.0, 40.0)),
+    row("train.bogie.mass", KILOGRAM, (50.0, 1e6), (500.0, 3e4)),
+    row("train.bogie.pitch_inertia", INERTIA, (1.0, 1e8), (100.0, 1e5)),
+    row("train.bogie.wheelbase", METRE, (0.3, 50.0), (1.0, 6.0)),
+    row("train.wheelset.mass", KILOGRAM, (10.0, 1e5), (200.0, 6000.0)),
+    row("train.primary.stiffness", SPRING, (1e3, 1e11), (1e5, 1e8)),
+    row("train.secondary.stiffness", SPRING, (1e3, 1e11), (5e4, 1e8)),
+    row("train.primary.damping", DAMPER, ANY, (5e2, 2e6)),
+    row("train.secondary.damping", DAMPER, ANY, (5e2, 2e6)),
+    row("train.wheel_rail.stiffness", SPRING, (1e6, 1e13), (2e8, 2e10)),
+    row("train.wheel_rail.radius", METRE, (0.05, 10.0), (0.15, 0.8)),
+    row("irregularity.roughness", ROUGHNESS, (0.0, 1.0), (1e-13, 1e-2)),
+    row("irregularity.amplitude", METRE, (0.0, 1.0), (1e-8, 0.03)),
+    row("irregularity.orders[].amplitude", METRE, (0.0, 0.5), (1e-8, 5e-3)),
+    row("irregularity.radius", METRE, (0.05, 10.0), (0.15, 0.8)),
+    row("irregularity.wavelength", METRE, ANY, (0.01, 300.0)),
+    row("*.passage_time", SECOND, ANY, (0.1, 600.0)),
+    row("*.speed", TRAVEL, ANY, (0.0, 200.0)),
+    row("*.speeds[]", TRAVEL, ANY, (0.0, 200.0)),
+    row("*.speeds.to", TRAVEL, ANY, (0.0, 200.0)),
+    row("*.*.speed", TRAVEL, ANY, (0.0, 200.0)),
+];
+
+/// Whether `path`, such as `soil.layer[1].young`, fits `key`.
+fn fits(key: &str, path: &str) -> bool {
+    let (mut steps, mut wanted) = (path.split('.'), key.split('.'));
+    loop {
+        match (steps.next(), wanted.next()) {
+            (None, None) => return true,
+            (Some(_), Some("*")) => {}
+            (Some(step), Some(wanted)) => {
+                let list = step.split_once('[').map(|(name, _)| format!("{name}[]"));
+                if list.as_deref().unwrap_or(step) != wanted {
+                    return false;
+                }
+            }
+            _ => return false,
+        }
+    }
+}
+
+/// Every number of `value` with its path.
+fn numbers(value: &Value, path: &str, found: &mut Vec<(String, f64)>) {
+    match value {
+        Value::Float(number) => found.push((path.to_owned(), *number)),
+        Value::Integer(number) => found.push((path.to_owned(), *number as f64)),
+        Value::Array(list) => {
+            for (i, value) in list.iter().enumerate() {
+                numbers(value, &format!("{path}[{i}]"), found);
+            }
+        }
+        Value::Table(table) => {
+            for (key, value) in table {
+                let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
+                numbers(value, &path, found);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// A number to four digits, with a power of ten where it is large or small.
+fn shown(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    if (1e-3..1e5).contains(&rounded.abs()) || rounded == 0.0 {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+impl Row {
+    fn quantity(&self, value: f64) -> String {
+        [shown(value).as_str(), self.unit.name].join(" ").trim_end().to_owned()
+    }
+
+    /// "did you mean 150 kN = 1.5e5 N?" for every unit that makes `value` usual.
+    fn meant(&self, value: f64) -> String {
+        let (low, high) = self.usual;
+        let readings: Vec<String> = self
+            .unit
+            .slips
+            .iter()
+            .filter(|(_, size)| (low..=high).contains(&(value.abs() * size)))
+            .map(|(name, size)| format!("{} {name} = {}", shown(value), self.quantity(value * size)))
+            .collect();
+        let unit = match self.unit.name {
+            "" => "a plain ratio".to_owned(),
+            unit => format!("in {unit}"),
+        };
+        match readings.is_empty() {
+            true => format!("the key is {unit}{}", self.unit.note),
+            false => {
+                format!("did you mean {}? The key is {unit}{}", readings.join(", or "), self.unit.note)
+            }
+        }
+    }
+
+    fn range(&self, (low, high): (f64, f64)) -> String {
+        match (low > 0.0, high.is_finite()) {
+            (true, true) => format!("{} to {}", shown(low), self.quantity(high)),
+            (true, false) => format!("above {}", self.quantity(low)),
+            _ => format!("up to {}", self.quantity(high)),
+        }
+    }
+}
+
+/// What is doubtful, and what cannot be, in the table `text` of a case.
+///
+/// `root` is the key the table stands for (empty for a whole case), `name` its file; a file of its own is named by the concern.
+pub fn review(root: &str, name: &str, text: &str) -> (Vec<CaseError>, Vec<Concern>) {
+    let (mut refused, mut concerns) = (Vec::new(), Vec::new());
+    let Ok(table) = text.parse::<toml::Table>() else { return (refused, concerns) };
+    let mut found = Vec::new();
+    numbers(&Value::Table(table), "", &mut found);
+    let mut rest: Vec<(String, String, f64)> = found
+        .into_iter()
+        .map(|(path, value)| {
+            let whole = if root.is_empty() { path.clone() } else { format!("{root}.{path}") };
+            (whole, path, value)
+        })
+        .collect();
+    for row in TABLE {
+        let (here, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(|(whole, ..)| fits(row.key, whole));
+        rest = others;
+        let outside = |(low, high): (f64, f64), value: f64| {
+            value.is_finite() && value != 0.0 && !(low..=high).contains(&value.abs())
+        };
+        let doubtful: Vec<_> = here.iter().filter(|(.., value)| outside(row.usual, *value)).collect();
+        let first = doubtful.iter().find(|(.., value)| outside(row.possible, *value)).or(doubtful.first());
+        let Some((_, path, value)) = first else { continue };
+        if outside(row.possible, *value) {
+            let message = format!("found {}; possible is {}", row.quantity(*value), row.range(row.possible));
+            refused.push(Finding::new(path, message).help(row.meant(*value)).at(name, text));
+        } else {
+            let file = if root.is_empty() { String::new() } else { format!(" in {name}") };
+            let more = match doubtful.len() - 1 {
+                0 => String::new(),
+                more => format!(", and {more} more of its kind"),
+            };
+            concerns.push(Concern::new(
+                "unusual-value",
+                format!("{path}{file} is {}{more}; usual is {}", row.quantity(*value), row.range(row.usual)),
+                row.meant(*value),
+            ));
+        }
+    }
+    (refused, concerns)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::library::ENTRIES;
+
+    #[test]
+    fn keys_fit_their_rows() {
+        assert!(
+            fits("soil.*.young", "soil.layer[12].young") && fits("soil.*.young", "soil.half_space.young")
+        );
+        assert!(
+            fits("train.axles[].load", "train.axles[3].load") && !fits("train.axles[].load", "train.axles")
+        );
+        assert!(!fits("*.speed", "track_response.measured[0].speed"));
+    }
+
+    #[test]
+    fn the_usual_lies_within_the_possible() {
+        for row in TABLE {
+            assert!(row.possible.0 <= row.usual.0 && row.usual.1 <= row.possible.1, "{}", row.key);
+        }
+    }
+
+    #[test]
+    fn the_library_is_usual() {
+        for entry in ENTRIES {
+            let root = match entry.kind {
+                "soils" => "soil",
+                "tracks" => "track",
+                _ => "train",
+            };
+            let (refused, concerns) = review(root, entry.name, entry.text);
+            assert!(refused.is_empty() && concerns.is_empty(), "{}: {concerns:?}", entry.name);
+        }
+    }
+
+    #[test]
+    fn says_which_unit_was_meant() {
+        let (_, concerns) =
+            review("train", "t.toml", "axles = [{ position = 0, load = 15 }, { load = 15.0 }]");
+        let said = concerns[0].to_string();
+        assert!(said.contains("axles[0].load in t.toml is 15 N, and 1 more of its kind"), "{said}");
+        assert!(said.contains("did you mean 15 kN = 15000 N, or 15 t = 1.472e5 N?"), "{said}");
+    }
+}

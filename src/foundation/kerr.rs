@@ -1,0 +1,34 @@
+//! Kerr's foundation: springs on a layer that shears on springs.
+
+use crate::quantity::{not_negative, positive};
+use crate::track::{Link, Member, Stack, TrackError};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// k₁(k₂ + Gβ²)/(k₁ + k₂ + Gβ²) with k₂(1 + iη sgn ω) + iωc. Source: Eq. (6), whose k₁/k₂ is inverted as printed.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(deny_unknown_fields)]
+pub struct Kerr {
+    /// k₂ [N/m²], the lower springs
+    pub stiffness: f64,
+    /// c of the lower springs [N s/m²]
+    #[serde(default)]
+    pub damping: f64,
+    /// η of the lower springs
+    #[serde(default)]
+    pub loss_factor: f64,
+    /// G [N]
+    pub shear: f64,
+    /// k₁ [N/m²], the upper springs, which lose nothing
+    pub upper_stiffness: f64,
+}
+
+impl Kerr {
+    /// Upper springs – shear layer – lower springs.
+    pub(super) fn stack(&self) -> Result<Stack, TrackError> {
+        let upper = Link::spring(positive("upper_stiffness", self.upper_stiffness, "N/m²")?, 0.0, 0.0)?;
+        let layer = Member::string(not_negative("shear", self.shear, "N")?, 0.0)?;
+        let lower = Link::spring(self.stiffness, self.damping, self.loss_factor)?;
+        Ok(Stack::new(vec![Member::mass(0.0)?, layer], vec![upper, lower]))
+    }
+}

@@ -1,0 +1,31 @@
+//! Pasternak's foundation: springs under a layer that shears.
+
+use crate::quantity::not_negative;
+use crate::track::{Link, Member, Stack, TrackError};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// k + Gβ² with k(1 + iη sgn ω) + iωc. Source: Eq. (5).
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+#[serde(deny_unknown_fields)]
+pub struct Pasternak {
+    /// k [N/m²]
+    pub stiffness: f64,
+    /// c [N s/m²]
+    #[serde(default)]
+    pub damping: f64,
+    /// η of the springs
+    #[serde(default)]
+    pub loss_factor: f64,
+    /// G [N]
+    pub shear: f64,
+}
+
+impl Pasternak {
+    /// Shear layer – springs.
+    pub(super) fn stack(&self) -> Result<Stack, TrackError> {
+        let springs = Link::spring(self.stiffness, self.damping, self.loss_factor)?;
+        let layer = Member::string(not_negative("shear", self.shear, "N")?, 0.0)?;
+        Ok(Stack::new(vec![layer], vec![springs]))
+    }
+}

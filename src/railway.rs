@@ -1,0 +1,260 @@
+//! A railway: what carries it, the layers of its track, its train.
+
+use crate::foundation::{Foundation, FoundationError, LayeredSoil, Springs};
+use crate::rail::TrackOnFoundation;
+use crate::soil::{Compatibility, Profile, Solver, Strip};
+use crate::track::Stack;
+use crate::vehicle::Train;
+use thiserror::Error;
+
+/// How the track, or the load without a track, touches the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Contact {
+    /// A track over a strip; without one, the strip a track would lie on.
+    Strip(Strip),
+    /// No track: every axle presses on a rectangle of 2 × `half_length` along the track and the strip's width.
+    Patch {
+        /// [m]
+        half_length: f64,
+        /// Width and compatibility.
+        strip: Strip,
+    },
+    /// No track: every axle is a point load on the ground.
+    Point,
+}
+
+impl Contact {
+    /// The loaded strip; None for a point.
+    pub fn strip(&self) -> Option<Strip> {
+        match self {
+            Self::Strip(strip) | Self::Patch { strip, .. } => Some(*strip),
+            Self::Point => None,
+        }
+    }
+
+    /// Half-length of the load along the track [m].
+    pub fn half_length(&self) -> f64 {
+        match self {
+            Self::Patch { half_length, .. } => *half_length,
+            _ => 0.0,
+        }
+    }
+
+    /// Name of the compatibility: `centre`, `mean`.
+    pub fn compatibility(&self) -> &'static str {
+        match self.strip().map(|s| s.compatibility) {
+            Some(Compatibility::Centre) => "centre",
+            Some(Compatibility::Mean) => "mean",
+            None => "point",
+        }
+    }
+}
+
+/// Layered ground, the solver that answers for it, and how it is loaded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ground {
+    /// Layers and base.
+    pub profile: Profile,
+    /// Solver of the waves in them.
+    pub solver: Solver,
+    /// How track or axles touch it; None for the ground alone.
+    pub contact: Option<Contact>,
+}
+
+impl Ground {
+    /// `profile` loaded through `contact`, answered by `solver`.
+    pub fn new(profile: Profile, solver: Solver, contact: Option<Contact>) -> Self {
+        Self { profile, solver, contact }
+    }
+
+    /// How it is loaded.
+    ///
+    /// # Errors
+    /// Nothing loads it.
+    pub fn contact(&self) -> Result<Contact, RailwayError> {
+        self.contact.ok_or(RailwayError::NoContact)
+    }
+
+    /// The strip a foundation k_eq(β, ω) is of.
+    ///
+    /// # Errors
+    /// Nothing loads it, or points do, under which it sinks without end.
+    pub fn strip(&self) -> Result<Strip, RailwayError> {
+        self.contact()?.strip().ok_or(RailwayError::PointLoad)
+    }
+}
+
+/// What carries the track.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Support {
+    /// Layered ground.
+    Ground(Ground),
+    /// Springs.
+    Springs(Springs),
+}
+
+/// Support, track and train, checked. The ground alone is a railway too: without a track, without a train.
+#[derive(Debug)]
+pub struct Railway {
+    support: Support,
+    /// Keeps what its solver prepared; None where the ground has no strip, and on springs.
+    soil: Option<LayeredSoil>,
+    stack: Stack,
+    train: Option<Train>,
+}
+
+impl Railway {
+    /// A railway from its parts: the `stack` of its track, which is empty for loads straight on the ground, and its `train`.
+    ///
+    /// # Errors
+    /// A contact width that is not positive.
+    pub fn new(support: Support, stack: Stack, train: Option<Train>) -> Result<Self, RailwayError> {
+        let soil = match &support {
+            Support::Ground(Ground { profile, solver, contact }) => contact
+                .and_then(|contact| contact.strip())
+                .map(|strip| LayeredSoil::new(profile.clone(), *solver, strip))
+                .transpose()?,
+            Support::Springs(_) => None,
+        };
+        Ok(Self { support, soil, stack, train })
+    }
+
+    /// The same with another `solver` of the ground; on springs nothing changes.
+    ///
+    /// # Errors
+    /// None that the railway itself did not have.
+    pub fn with_solver(&self, solver: Solver) -> Result<Self, RailwayError> {
+        let support = match &self.support {
+            Support::Ground(ground) => Support::Ground(Ground { solver, ..ground.clone() }),
+            Support::Springs(springs) => Support::Springs(springs.clone()),
+        };
+        Self::new(support, self.stack.clone(), self.train.clone())
+    }
+
+    /// What carries the track.
+    pub fn support(&self) -> &Support {
+        &self.support
+    }
+
+    /// The track without what it stands on; empty for loads straight on the ground.
+    pub fn stack(&self) -> &Stack {
+        &self.stack
+    }
+
+    /// The layered ground.
+    ///
+    /// # Errors
+    /// The railway stands on springs.
+    pub fn ground(&self) -> Result<&Ground, RailwayError> {
+        match &self.support {
+            Support::Ground(ground) => Ok(ground),
+            Support::Springs(_) => Err(RailwayError::NoGround),
+        }
+    }
+
+    /// The train.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn train(&self) -> Result<&Train, RailwayError> {
+        self.train.as_ref().ok_or(RailwayError::NoTrain)
+    }
+
+    /// The foundation k(β, ω).
+    ///
+    /// # Errors
+    /// Ground that nothing loads, or points, has none.
+    pub fn foundation(&self) -> Result<&dyn Foundation, RailwayError> {
+        match (&self.support, &self.soil) {
+            (Support::Springs(springs), _) => Ok(springs),
+            (Support::Ground(_), Some(soil)) => Ok(soil),
+            (Support::Ground(ground), None) => Err(match ground.strip() {
+                Err(error) => error,
+                Ok(_) => RailwayError::NoContact,
+            }),
+        }
+    }
+
+    /// The track on its foundation, or a patch of load straight on it.
+    ///
+    /// # Errors
+    /// No foundation; a strip of ground without a track, which under a point of it sinks without end.
+    pub fn track(&self) -> Result<TrackOnFoundation<'_>, RailwayError> {
+        let half_length = self.ground().and_then(Ground::contact).map_or(0.0, |c| c.half_length());
+        // points are refused by what they lack
+        let point = self.ground().is_ok_and(|ground| ground.contact == Some(Contact::Point));
+        if self.stack.is_empty() && half_length == 0.0 && !point {
+            return Err(RailwayError::NoTrack);
+        }
+        Ok(TrackOnFoundation::new(&self.stack, self.foundation()?, half_length))
+    }
+
+    /// Refuses receivers, at `distances` [m] from the centre line, without layered ground or on the track.
+    ///
+    /// # Errors
+    /// `NoGround`, `OnTrack`.
+    pub fn check_receivers(&self, distances: &[f64]) -> Result<(), RailwayError> {
+        let strip = self.ground()?.contact.and_then(|contact| contact.strip());
+        let half_width = strip.map_or(0.0, |s| s.half_width);
+        match distances.iter().find(|y| y.abs() <= half_width) {
+            Some(&distance) => Err(RailwayError::OnTrack { distance, half_width }),
+            None => Ok(()),
+        }
+    }
+
+    /// Refuses phase speeds [m/s] at which undamped ground has a wave, and the integral over wavenumbers no value.
+    ///
+    /// # Errors
+    /// `FoundationError::Undamped` for the largest of `phase_speeds`.
+    pub fn check_damping(&self, phase_speeds: impl Iterator<Item = f64>) -> Result<(), RailwayError> {
+        let Ok(Ground { profile, .. }) = self.ground() else { return Ok(()) };
+        let phase_speed = phase_speeds.map(f64::abs).fold(0.0, f64::max);
+        let slowest = profile.slowest_rayleigh_speed();
+        if profile.is_undamped() && phase_speed >= slowest {
+            return Err(FoundationError::Undamped { phase_speed, slowest }.into());
+        }
+        Ok(())
+    }
+}
+
+/// What a railway lacks for the question put to it.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum RailwayError {
+    /// The foundation cannot answer.
+    #[error(transparent)]
+    Foundation(#[from] FoundationError),
+    /// Waves need layered ground.
+    #[error("it needs layered ground: give [soil] instead of [foundation]")]
+    NoGround,
+    /// A load is needed.
+    #[error("it needs a load: give [train] with at least one axle")]
+    NoTrain,
+    /// The width of the load on the ground is needed.
+    #[error(
+        "it needs to know how the ground is loaded: give [track], or [track] with kind = \"none\", contact.half_width \
+         and contact.compatibility"
+    )]
+    NoContact,
+    /// A rail is needed.
+    #[error(
+        "it needs a track: give [track] with kind = \"ballasted\", \"slab\" or \"beam\"; kind = \"none\" has no rail"
+    )]
+    NoTrack,
+    /// Ground under a point load sinks without end.
+    #[error(
+        "the ground under a point load has no finite deflection: give track.load.kind = \"patch\" with half_length and half_width, \
+         or ask for a contour only"
+    )]
+    PointLoad,
+    /// A receiver on the track.
+    #[error(
+        "the receiver at {distance} m stands on the track, whose half-width is {half_width} m: receivers are distances from the \
+         centre line of the track"
+    )]
+    OnTrack {
+        /// From the centre line [m].
+        distance: f64,
+        /// [m]
+        half_width: f64,
+    },
+}

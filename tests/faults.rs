@@ -1,0 +1,309 @@
+//! Everything wrong with a case is said at once, in plain words, at its file, line and key.
+
+mod common;
+
+use common::cli::{LAYERS, TRACK, case, flat, groundwave};
+use groundwave::case::{Case, CaseError};
+use miette::Diagnostic;
+use std::path::Path;
+use toml::{Table, Value};
+
+const ASKED: &str = "[track_response]\nspeeds = [50.0]\n";
+
+/// The faults of `text`, one by one, with no file beside it.
+fn faults(text: &str) -> Vec<CaseError> {
+    match Case::parse(text, "case.toml", &|_| Err("there is no such file".to_owned())) {
+        Ok(_) => Vec::new(),
+        Err(error) => error.each(),
+    }
+}
+
+/// Their keys.
+fn keys(text: &str) -> Vec<String> {
+    faults(text).iter().map(|fault| fault.key().to_owned()).collect()
+}
+
+#[test]
+fn all_faults_of_a_case_are_said_at_once_in_the_order_of_their_lines() {
+    let text = r#"title = "many faults"
+[soil]
+solver.kind = "direct-stifness"
+[[soil.layer]]
+thickness = "2.0"
+yuong = 60e6
+poisson = 0.35
+density = 1500.0
+loss_factor = 0.06
+[[soil.layer]]
+thickness = 3
+density = [1500.0]
+los_factor = 0.06
+[soil.half_space]
+young = 200e6
+poisson = 0.35
+density = 1.8
+loss_factor = 0.06
+[trak]
+kind = "ballasted"
+[train]
+axles = [{ position = 0.0, load = 15e3 }, { position = "3", lod = 2 }]
+count = 2.5
+[critical_speed]
+speeds = { from = "10 mph", to = 200.0, step = 2.0 }
+[track_response]
+speeds = 68.5
+[contour]
+speeds = [137.0]
+x = { from = -40.0, to = 20.0 }
+y = { from = -30.0, to = -30.0 }
+spacing = 0.25
+"#;
+    let wanted = [
+        "soil.solver.kind",
+        "soil.layer[0].thickness",
+        "soil.layer[0].yuong",
+        "soil.layer[1].density",
+        "soil.layer[1].los_factor",
+        "soil.half_space.density",
+        "trak",
+        "train.axles[1].position",
+        "train.axles[1].lod",
+        "train.count",
+        "critical_speed.speeds.from",
+        "track_response.speeds",
+        "contour.y",
+    ];
+    assert_eq!(keys(text), wanted);
+    let whole = Case::parse(text, "case.toml", &|_| Err(String::new())).unwrap_err().to_string();
+    assert!(whole.starts_with("13 faults:") && whole.lines().count() == 14, "{whole}");
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("case.toml"), text).unwrap();
+    let check = groundwave(&["check", "case.toml"], folder.path());
+    let said = flat(&check.stderr);
+    assert_eq!(check.status.code(), Some(2));
+    assert!(said.contains("[case.toml:3:15]") && said.contains("[case.toml:31:5]"), "{said}");
+    assert!(said.ends_with("13 faults"), "{said}");
+}
+
+#[test]
+fn values_that_cannot_be_are_said_at_once() {
+    let soil = LAYERS.replace("young = 60e6", "young = -60e6").replace("1800.0", "1.8");
+    let track = TRACK.replace("mass = 2000.0", "mass = -1.0").replace("0.0, load", "nan, load");
+    let rest = "[critical_speed]\nspeeds = [20.0, 10.0]\n[contour]\nspeeds = [10.0]\nx = { from = 0.0, to = 1.0 }\n\
+                y = { from = 0.0, to = 1.0 }\nspacing = 0.0\n";
+    let found = keys(&case(&soil, &format!("{track}{rest}")));
+    let wanted = [
+        "soil.layer[0].young",
+        "soil.half_space.density",
+        "track.beam.mass",
+        "train.axles[0].position",
+        "critical_speed.speeds[1]",
+        "contour.spacing",
+    ];
+    assert_eq!(found, wanted);
+}
+
+#[test]
+fn one_mistake_is_one_fault() {
+    let good = case(LAYERS, &format!("{TRACK}{ASKED}"));
+    assert_eq!(keys(&good), Vec::<String>::new());
+    for (from, to, key) in [
+        ("[track]", "[trakc]", "trakc"),
+        ("[train]", "[trian]", "trian"),
+        ("[track_response]", "[track_respons]", "track_respons"),
+        ("density = 1500.0", "densty = 1500.0", "soil.layer[0].densty"),
+        ("density = 1500.0", "density = 1.5", "soil.layer[0].density"),
+        ("title = ", "titel = ", "titel"),
+        ("\"beam\"", "\"bean\"", "track.kind"),
+        ("load = 150e3", "load = \"150e3\"", "train.axles[0].load"),
+        ("load = 150e3", "lod = 150e3", "train.axles[0].lod"),
+        ("bending_stiffness = 1.0e8", "bending = 1.0e8", "track.beam.bending"),
+        ("bending_stiffness = 1.0e8", "bending_stiffness = -1.0e8", "track.beam.bending_stiffness"),
+        ("half_width = 1.25", "half_width = -1.25", "track.contact.half_width"),
+        ("\"centre\"", "\"center\"", "track.contact.compatibility"),
+        ("young = 60e6", "young = nan", "soil.layer[0].young"),
+        ("poisson = 0.35\n", "", "soil.layer[0]"),
+    ] {
+        assert_eq!(keys(&good.replacen(from, to, 1)), [key], "{to}");
+    }
+    let none: Vec<String> = faults("").iter().map(ToString::to_string).collect();
+    assert_eq!(
+        none,
+        [
+            "case.toml: missing key `title`",
+            "case.toml: the case has no ground",
+            "case.toml: the case asks for nothing"
+        ]
+    );
+}
+
+/// Paths of every value under `value`, as steps.
+fn places(value: &Value, at: &[Step], found: &mut Vec<Vec<Step>>) {
+    let mut below = |value: &Value, step: Step| {
+        let at = [at, &[step]].concat();
+        found.push(at.clone());
+        places(value, &at, found);
+    };
+    match value {
+        Value::Table(table) => table.iter().for_each(|(key, value)| below(value, Step::Key(key.clone()))),
+        Value::Array(list) => list.iter().enumerate().for_each(|(i, value)| below(value, Step::Place(i))),
+        _ => {}
+    }
+}
+
+#[derive(Clone)]
+enum Step {
+    Key(String),
+    Place(usize),
+}
+
+/// `value` with `new` at the place `at`.
+fn replaced(value: &Value, at: &[Step], new: &Value) -> Value {
+    let Some((step, rest)) = at.split_first() else { return new.clone() };
+    let mut value = value.clone();
+    match (&mut value, step) {
+        (Value::Table(table), Step::Key(key)) => {
+            let inner = replaced(&table[key], rest, new);
+            table.insert(key.clone(), inner);
+        }
+        (Value::Array(list), Step::Place(i)) => list[*i] = replaced(&list[*i], rest, new),
+        _ => unreachable!(),
+    }
+    value
+}
+
+/// Words of the machine, which no engineer should have to read.
+const JARGON: &[&str] = &[
+    "f64",
+    "f32",
+    "usize",
+    "u8",
+    "u32",
+    "u64",
+    "i64",
+    "integer",
+    "float",
+    "boolean",
+    "sequence",
+    "struct",
+    "expected ",
+    "invalid type",
+    "invalid value",
+    "variant",
+    "unknown field",
+    "missing field",
+    "serde",
+    "toml::",
+    "None",
+    "Some(",
+    "os error",
+];
+
+#[test]
+fn wrong_values_anywhere_are_said_in_plain_words() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("soil_cases");
+    let mut texts: Vec<String> = [
+        "lamprea2022_ballasted/case.toml",
+        "library/tracks/lamprea2022_ballasted.toml",
+        "library/soils/lamprea2022_layered.toml",
+        "library/vehicles/goicolea2014_ice3.toml",
+    ]
+    .iter()
+    .map(|name| std::fs::read_to_string(folder.join(name)).unwrap())
+    .collect();
+    // what stands for a table, in a case that names it
+    let case_of = |text: &str, key: &str| {
+        let table: Table = text.parse().unwrap();
+        let mut whole: Table = case(LAYERS, &format!("{TRACK}{ASKED}")).parse().unwrap();
+        whole.insert(key.to_owned(), table.into());
+        toml::to_string(&whole).unwrap()
+    };
+    texts[1] = case_of(&texts[1], "track");
+    texts[2] = case_of(&texts[2], "soil");
+    texts[3] = case_of(&texts[3], "train");
+    texts.push(groundwave::case::TEMPLATE.to_owned());
+    texts.push(case(LAYERS, &format!("{TRACK}{ASKED}[irregularity]\nkind = \"german\"\nquality = \"low\"\nprofiles = 3\n[free_field]\nspeed = 50\nreceivers = [8]\npassage_time = 1\n")));
+    let wrong =
+        r#"v = ["nonsense", "1.0", -7, 3.25, inf, true, 1979-05-27, [], ["a"], [[1]], {}, { x = 1 }]"#;
+    let wrong: Table = wrong.parse().unwrap();
+    let mut count = 0;
+    for text in texts {
+        let whole = Value::Table(text.parse().unwrap());
+        let mut at = Vec::new();
+        places(&whole, &[], &mut at);
+        for (place, new) in
+            at.iter().flat_map(|at| wrong["v"].as_array().unwrap().iter().map(move |v| (at, v)))
+        {
+            let text = toml::to_string(&replaced(&whole, place, new)).unwrap();
+            for fault in faults(&text) {
+                let said =
+                    format!("{fault}; {}", fault.help().map_or(String::new(), |help| help.to_string()));
+                for word in JARGON {
+                    assert!(!said.contains(word), "{said} ({word})\n{text}");
+                }
+                count += 1;
+            }
+        }
+    }
+    assert!(count > 1000, "{count}");
+}
+
+#[test]
+fn a_file_beside_the_case_may_stand_for_a_table_by_its_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    let load = || Case::load(&folder.path().join("case.toml"));
+    let said = || load().unwrap_err().to_string();
+    write("case.toml", format!("title = \"x\"\nsoil = \"clay\"\n{TRACK}{ASKED}").as_bytes());
+    let missing = said();
+    assert!(missing.contains("soil: the library has no entry \"clay\" among its soils"), "{missing}");
+    assert!(missing.contains("clay.toml beside the case: there is no such file"), "{missing}");
+    write("clay.toml", format!("title = \"Clay\"\n{}", LAYERS.replace("soil.", "")).as_bytes());
+    assert_eq!(load().unwrap().files.keys().collect::<Vec<_>>(), ["clay.toml"]);
+    write(
+        "clay.toml",
+        format!("title = \"Clay\"\n{}", LAYERS.replace("soil.", "").replace("poisson", "poison")).as_bytes(),
+    );
+    let both: Vec<String> = load().unwrap_err().each().iter().map(|f| f.key().to_owned()).collect();
+    assert_eq!(both, ["layer[0].poison", "half_space.poison"]);
+}
+
+#[test]
+fn files_that_are_not_utf_8_are_named_as_such() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("case.toml");
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).unwrap();
+    let said = || Case::load(&path).unwrap_err().to_string();
+    write("case.toml", b"# first\ntitle = \"Gel\xe4nde\"\n");
+    assert!(said().contains("line 2 is not UTF-8 text (byte E4): save the file as UTF-8"), "{}", said());
+    write("case.toml", b"\xff\xfet\0i\0");
+    assert!(said().contains("it is UTF-16 text: save it as UTF-8"), "{}", said());
+    write("case.toml", format!("title = \"x\"\nsoil = \"clay.toml\"\n{TRACK}{ASKED}").as_bytes());
+    write("clay.toml", b"title = \"Ton, wei\xdf\"\n");
+    assert!(said().contains("soil: cannot read \"clay.toml\": line 1 is not UTF-8 text"), "{}", said());
+    let record = "[[track_response.measured]]\nspeed = 50.0\nfile = \"r.csv\"\nlabel = \"measured\"\n";
+    write("case.toml", case(LAYERS, &format!("{TRACK}{ASKED}{record}")).as_bytes());
+    write("r.csv", b"x [m];Durchbiegung [\xb5m]\n0;1\n");
+    assert!(said().contains("measured[0].file: cannot read \"r.csv\": line 1 is not UTF-8"), "{}", said());
+}
+
+#[test]
+fn water_is_not_modelled() {
+    let sea = "[[soil.layer]]\nthickness = 5.0\nshear_speed = 0\npressure_speed = 1480.0\ndensity = 1000.0\nloss_factor = 0.01\n";
+    let faults = faults(&case(&format!("{sea}{LAYERS}"), &format!("{TRACK}{ASKED}")));
+    assert_eq!(faults.len(), 1);
+    assert_eq!(faults[0].key(), "soil.layer[0].shear_speed");
+    assert!(faults[0].help().unwrap().to_string().contains("water is not modelled"));
+}
+
+#[test]
+fn decimal_commas_and_brackets_are_explained() {
+    let help = |text: &str| faults(text)[0].help().unwrap().to_string();
+    let good = case(LAYERS, &format!("{TRACK}{ASKED}"));
+    assert!(help(&good.replace("poisson = 0.35", "poisson = 0,35")).contains("decimals have a point"));
+    assert!(help(&good.replace("[[soil.layer]]", "[soil.layer]")).contains("with [[name]] above each"));
+    assert!(
+        help(&good.replace("[soil.half_space]", "[[soil.half_space]]"))
+            .contains("[name], in single brackets")
+    );
+}
