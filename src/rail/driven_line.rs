@@ -2,7 +2,7 @@
 
 use super::TrackOnFoundation;
 use super::harmonic_load::ACCURACY;
-use super::moving_load::{BETA_CAP, BETA_MIN, Quiet};
+use super::track_on_foundation::{BETA_MIN, Quiet};
 use crate::foundation::FoundationError;
 use crate::math::interpolation::{Interpolant, NODES};
 use num_complex::Complex64;
@@ -119,10 +119,5 @@ impl TrackOnFoundation<'_> {
         // at β = 0 the strip on a half-space has no static stiffness
         let k = self.foundation.stiffness_to(beta.abs().max(BETA_MIN), omega, accuracy)?;
         Ok((k.value, k.converged || k.relative_error < ACCURACY))
-    }
-
-    /// A wavenumber [rad/m] at which every load has faded or will not.
-    pub(crate) fn enough(&self) -> f64 {
-        if self.half_length > 0.0 { 60.0 / self.half_length } else { BETA_CAP }
     }
 }

@@ -11,7 +11,7 @@
 //!
 //! Source: Lamprea-Pineda et al. 2022, Eqs 85–87 and application 3.
 
-use super::moving_load::BETA_CAP;
+use super::track_on_foundation::BETA_CAP;
 use super::{InteractionError, TrackOnFoundation};
 use crate::math::quadrature::{Adaptive, Estimate, Tolerance};
 use crate::soil::strip::sinc;

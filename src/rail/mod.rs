@@ -3,8 +3,11 @@
 mod driven_line;
 mod harmonic_load;
 mod moving_load;
+mod track_on_foundation;
 
 pub use harmonic_load::HarmonicLoad;
 pub(crate) use harmonic_load::{NEGLIGIBLE, decay, within};
-pub(crate) use moving_load::{BETA_MIN, panels};
-pub use moving_load::{InteractionError, MovingLoad, MovingSpectrum, Shape, TrackOnFoundation};
+pub(crate) use moving_load::panels;
+pub use moving_load::{InteractionError, MovingLoad, MovingSpectrum, Shape};
+pub(crate) use track_on_foundation::BETA_MIN;
+pub use track_on_foundation::TrackOnFoundation;

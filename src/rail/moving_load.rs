@@ -7,7 +7,8 @@
 //! The integral is done once by adaptive panels; the same nodes then serve every x′, every member and, by
 //! superposition, every axle. There is no period and no wrap-around.
 
-use crate::foundation::{Foundation, FoundationError, Moving};
+use super::track_on_foundation::{BETA_MIN, Extent, TrackOnFoundation};
+use crate::foundation::{FoundationError, Moving};
 use crate::math::quadrature::{Adaptive, Tolerance};
 use crate::soil::strip::sinc;
 use crate::track::{Displacements, Stack};
@@ -15,23 +16,10 @@ use num_complex::Complex64;
 use std::f64::consts::PI;
 use thiserror::Error;
 
-/// Smallest wavenumber of the foundation [rad/m]; below it the last value is kept. The logarithm of a half-space
-/// makes that an error of about 1e-6 of the deflection.
-pub(crate) const BETA_MIN: f64 = 1e-6;
 /// Wanted error of the integral relative to the deflection under the load.
-const ACCURACY: f64 = 1e-5;
-/// A point load whose spectrum has not faded here [rad/m] stands on nothing that spreads it.
-pub(super) const BETA_CAP: f64 = 400.0;
+pub(super) const ACCURACY: f64 = 1e-5;
 /// Evaluations of the track allowed (the foundation is interpolated).
 const MAX_COUNT: usize = 600_000;
-
-/// A stack on a foundation.
-pub struct TrackOnFoundation<'a> {
-    pub(crate) stack: &'a Stack,
-    pub(crate) foundation: &'a dyn Foundation,
-    /// Half-length of each axle's contact along the track [m]; 0 for a point on a rail.
-    pub(crate) half_length: f64,
-}
 
 /// The response to a unit load at one speed, ready for any position.
 #[derive(Clone, Debug)]
@@ -93,82 +81,7 @@ pub(crate) fn panels(beta_max: f64, reach: f64) -> Vec<f64> {
     points
 }
 
-/// How far a spectrum reaches.
-struct Extent {
-    /// The wavenumber [rad/m] beyond which ∫ |ũ| dβ ≈ |ũ|β/3 is below the accuracy.
-    end: f64,
-    /// The wavenumber [rad/m] beyond which the rail does not feel the foundation.
-    felt: f64,
-    /// ∫ |ũ| dβ
-    sum: f64,
-    /// Whether there is such an end.
-    bounded: bool,
-}
-
-/// Decides that something has become quiet by four quiet steps in a row: one, as at an antiresonance, says nothing.
-#[derive(Default)]
-pub(super) struct Quiet {
-    first: Option<f64>,
-    steps: usize,
-}
-
-impl Quiet {
-    /// The next step, at `beta`.
-    pub(super) fn step(&mut self, beta: f64, quiet: bool) {
-        if self.since().is_some() {
-            return;
-        }
-        self.steps = if quiet { self.steps + 1 } else { 0 };
-        self.first = if quiet { self.first.or(Some(beta)) } else { None };
-    }
-
-    /// Where it became quiet for good.
-    pub(super) fn since(&self) -> Option<f64> {
-        self.first.filter(|_| self.steps >= 4)
-    }
-}
-
-impl<'a> TrackOnFoundation<'a> {
-    /// `stack` on `foundation`, each axle pressing over 2 × `half_length` [m] (0: a point, as on rails).
-    pub fn new(stack: &'a Stack, foundation: &'a dyn Foundation, half_length: f64) -> Self {
-        Self { stack, foundation, half_length }
-    }
-
-    /// How far the spectrum reaches at `speed` [m/s].
-    fn extent(&self, speed: f64) -> Result<Extent, InteractionError> {
-        // in steps of ln ω that are the same at all speeds, so that foundations may keep what is dear at each ω
-        const STEP: f64 = 0.25;
-        let shift = if speed == 0.0 { 0.0 } else { speed.abs().ln() };
-        // of an axle spread over 2a the spectrum falls slowly, but its signs change: sixty radians leave 1/60² of it
-        let enough = if self.half_length > 0.0 { 60.0 / self.half_length } else { BETA_CAP };
-        let (mut sum, mut stiffness) = (0.0, Complex64::ONE);
-        // at an antiresonance of what lies below, rail and foundation are quiet for a moment: the first of so many quiet steps in a row
-        let (mut unfelt, mut faded) = (Quiet::default(), Quiet::default());
-        let mut step = ((0.05f64.ln() + shift) / STEP).round();
-        loop {
-            let (x, beta) = (step * STEP, (step * STEP - shift).exp());
-            let omega = if speed == 0.0 { 0.0 } else { -speed.signum() * x.exp() };
-            if unfelt.since().is_none() {
-                stiffness = self.foundation.stiffness_to(beta, omega, 1e-2)?.value;
-            }
-            // the envelope of the load's spectrum, not its zeros
-            let load = (1.0 + (beta * self.half_length).powi(2)).sqrt().recip();
-            let response = self.stack.respond(beta, omega, stiffness);
-            let u = response.rail.norm() * load;
-            sum += u * beta * STEP;
-            // what the foundation adds to the rail's deflection, q²/k, q = k u_base the force handed down
-            let added = response.base.norm_sqr() * stiffness.norm();
-            unfelt.step(beta, added * beta <= 0.1 * ACCURACY * sum);
-            faded.step(beta, u * beta < 0.5 * ACCURACY * sum);
-            let bounded = beta <= BETA_CAP || self.half_length > 0.0;
-            if let Some(end) = faded.since().or((beta > enough).then_some(beta)) {
-                let felt = unfelt.first.unwrap_or(end).min(end);
-                return Ok(Extent { end, felt, sum, bounded });
-            }
-            step += 1.0;
-        }
-    }
-
+impl TrackOnFoundation<'_> {
     /// The spectrum of a unit load at `speed` [m/s], with the foundation interpolated as finely as the rail feels it.
     ///
     /// # Errors
