@@ -301,9 +301,9 @@ fn decimal_commas_and_brackets_are_explained() {
     let help = |text: &str| faults(text)[0].help().unwrap().to_string();
     let good = case(LAYERS, &format!("{TRACK}{ASKED}"));
     assert!(help(&good.replace("poisson = 0.35", "poisson = 0,35")).contains("decimals have a point"));
-    assert!(help(&good.replace("[[soil.layer]]", "[soil.layer]")).contains("[[name]], with double brackets"));
+    assert!(help(&good.replace("[[soil.layer]]", "[soil.layer]")).contains("with [[name]] above each"));
     assert!(
         help(&good.replace("[soil.half_space]", "[[soil.half_space]]"))
-            .contains("[name], with single brackets")
+            .contains("[name], in single brackets")
     );
 }

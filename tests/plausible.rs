@@ -97,7 +97,8 @@ fn slips_of_unit_are_noticed() {
     let road = rough("kind = \"iso8608\"\nroughness = 1e-8\nwavelengths = { from = 1.0, to = 50.0 }\n");
     let springs =
         format!("title = \"x\"\n[foundation]\nkind = \"winkler\"\nstiffness = 1e8\n{}{ASKED}", TRACK);
-    for text in [&ballasted, &slab, &beam, &bogies, &sine, &wheels, &road, &springs] {
+    let shear = springs.replace("winkler\"\nstiffness", "pasternak\"\nshear = 2e7\nstiffness");
+    for text in [&ballasted, &slab, &beam, &bogies, &sine, &wheels, &road, &springs, &shear] {
         assert_eq!(said(text, ""), "", "{text}");
     }
     let slips: &[(&str, &str, &str, &str)] = &[
@@ -142,6 +143,7 @@ fn slips_of_unit_are_noticed() {
             "track.beam.bending_stiffness",
         ),
         (&springs, "stiffness = 1e8", "stiffness = 100", "foundation.stiffness"),
+        (&shear, "shear = 2e7", "shear = 20", "foundation.shear"),
         (&bogies, "mass = 47800.0", "mass = 47.8", "train.body.mass"),
         (&bogies, "pitch_inertia = 1.957888e6", "pitch_inertia = 1957.9", "train.body.pitch_inertia"),
         (&bogies, "mass = 3500.0", "mass = 3.5", "train.bogie.mass"),

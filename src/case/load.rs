@@ -213,9 +213,11 @@ impl Loader<'_> {
     /// The track and its contact with the ground.
     fn track(&self, input: &CaseInput) -> Option<(Stack, Option<Contact>)> {
         let Some(named) = &input.track else {
-            if input.foundation.is_some() && self.lacks("track") {
+            if input.foundation.is_some() && input.soil.is_none() && self.lacks("track") {
                 let finding = Finding::new("foundation", "springs need a track on them");
-                self.keep::<()>(Err(self.fault(finding.help("add [track]"))));
+                self.keep::<()>(Err(
+                    self.fault(finding.help("add [track], or track = \"…\" above the first table"))
+                ));
             }
             // the ground alone
             return (input.foundation.is_none() && self.lacks("track")).then(|| (Stack::default(), None));

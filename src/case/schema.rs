@@ -118,9 +118,18 @@ pub struct MaterialInput {
     pub damping_ratio_pressure: Option<f64>,
 }
 
+/// Where there is a track, axles press on its rail and not on the ground.
+fn load_without_track(schema: &mut schemars::Schema) {
+    let kinds = schema.get_mut("oneOf").and_then(|kinds| kinds.as_array_mut());
+    for kind in kinds.into_iter().flatten().filter(|kind| kind["properties"]["kind"]["const"] != "none") {
+        kind["properties"]["load"] = false.into();
+    }
+}
+
 /// `[track]`, whole track: both rails.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(transform = load_without_track)]
 pub struct TrackInput {
     /// Library files only: title.
     pub title: Option<String>,

@@ -194,6 +194,7 @@ impl Foundation for LayeredSoil {
         };
         let (mut converged, count) = (true, Cell::new(0));
         let mut known = Known::default();
+        let (mut highest_asked, mut last) = (f64::NEG_INFINITY, Complex64::ONE);
         let compliances = |nodes: &[f64; NODES]| -> Result<[Complex64; NODES], SoilError> {
             let (band, highest) = if shared {
                 let above = points.partition_point(|end| *end < nodes[0]).clamp(1, points.len() - 1);
@@ -202,6 +203,10 @@ impl Foundation for LayeredSoil {
             } else {
                 (None, to)
             };
+            if shared && allowed((nodes[0] - shift).exp(), 1.0 / last).is_infinite() {
+                // any error is borne: the last one will do
+                return Ok([last; NODES]);
+            }
             let wavenumbers = self.wavenumbers(highest, MOVING_ACCURACY);
             let omega = |x: f64| if shared { -speed.signum() * x.exp() } else { -x.exp() * speed };
             if shared {
@@ -226,6 +231,9 @@ impl Foundation for LayeredSoil {
                     }
                     relative = wanted;
                 }
+            }
+            if nodes[NODES - 1] > highest_asked {
+                (highest_asked, last) = (nodes[NODES - 1], values[NODES - 1]);
             }
             Ok(values)
         };

@@ -107,7 +107,7 @@ pub trait Foundation: Send + Sync {
     fn stiffness_to(&self, beta: f64, omega: f64, relative: f64) -> Result<Stiffness, FoundationError>;
 
     /// k along the line ω = −βv of a constant load at `speed` [m/s], good for `from` ≤ β ≤ `to` [rad/m] and many values;
-    /// `allowed(β, k)` is the error of 1/k [m²/N] that the caller can bear there.
+    /// `allowed(β, k)` is the error of 1/k [m²/N] that the caller can bear there, infinite where k does not matter.
     ///
     /// # Errors
     /// As `stiffness`.

@@ -1,6 +1,8 @@
 //! Adaptive piecewise Chebyshev interpolation: many cheap values of a dear complex function.
 
 use num_complex::Complex64;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
 use std::convert::Infallible;
 use std::f64::consts::PI;
 
@@ -29,6 +31,24 @@ struct Piece {
     coefficients: [Complex64; NODES],
     /// Its last coefficients over what is allowed.
     miss: f64,
+}
+
+impl PartialEq for Piece {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+impl Eq for Piece {}
+impl PartialOrd for Piece {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl Ord for Piece {
+    /// The worst last; of pieces missed alike the leftmost.
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.miss.total_cmp(&other.miss).then(other.from.total_cmp(&self.from))
+    }
 }
 
 impl Piece {
@@ -66,7 +86,7 @@ impl Interpolant {
         }
     }
 
-    /// The same of an `f` that may fail; pieces are halved all at once, level by level, as long as `more()`. Where that ends before the
+    /// The same of an `f` that may fail; the worst piece is halved first, as long as `more()`. Where that ends before the
     /// tolerance is met, `worst` says what is missing.
     ///
     /// # Errors
@@ -77,29 +97,20 @@ impl Interpolant {
         allowed: impl Fn(f64, Complex64) -> f64,
         more: impl Fn() -> bool,
     ) -> Result<Self, E> {
-        let (mut done, mut todo) = (Vec::new(), Vec::new());
+        let (mut done, mut todo) = (Vec::new(), BinaryHeap::new());
         for pair in breakpoints.windows(2) {
             todo.push(Piece::new(&mut f, &allowed, (pair[0], pair[1], 0))?);
         }
         let mut count = NODES * todo.len();
-        loop {
-            let (good, missed): (Vec<_>, Vec<_>) =
-                todo.into_iter().partition(|piece: &Piece| piece.miss <= 1.0 || piece.depth >= DEEPEST);
-            done.extend(good);
-            if missed.is_empty() {
-                break;
+        while let Some(piece) = todo.pop() {
+            if piece.miss <= 1.0 || piece.depth >= DEEPEST || !more() {
+                done.push(piece);
+                continue;
             }
-            todo = Vec::new();
-            for piece in missed {
-                if !more() {
-                    done.push(piece);
-                    continue;
-                }
-                let middle = 0.5 * (piece.from + piece.to);
-                for (from, to) in [(piece.from, middle), (middle, piece.to)] {
-                    todo.push(Piece::new(&mut f, &allowed, (from, to, piece.depth + 1))?);
-                    count += NODES;
-                }
+            let middle = 0.5 * (piece.from + piece.to);
+            for (from, to) in [(piece.from, middle), (middle, piece.to)] {
+                todo.push(Piece::new(&mut f, &allowed, (from, to, piece.depth + 1))?);
+                count += NODES;
             }
         }
         done.sort_by(|a, b| a.from.total_cmp(&b.from));

@@ -177,16 +177,18 @@ impl<'a> TrackOnFoundation<'a> {
         let Extent { end, felt, sum, bounded } = self.extent(speed)?;
         // reciprocity: δu_rail = q² δ(1/k), q = k u_base the force handed down; its share of the integral is ∝ β in ln β
         let allowed = |beta: f64, stiffness: Complex64| {
+            if beta > felt {
+                return f64::INFINITY;
+            }
             let q = stiffness * self.stack.respond(beta, -beta * speed, stiffness).base;
             ACCURACY * sum / (q.norm_sqr() * beta).max(f64::MIN_POSITIVE)
         };
-        let mut foundation = self.foundation.moving(speed, BETA_MIN, felt, &allowed)?;
+        let mut foundation = self.foundation.moving(speed, BETA_MIN, end, &allowed)?;
         foundation.converged &= bounded;
         Ok(MovingSpectrum {
             stack: self.stack,
             half_length: self.half_length,
             foundation,
-            felt,
             speed,
             beta_max: end,
         })
@@ -236,8 +238,6 @@ pub struct MovingSpectrum<'a> {
     stack: &'a Stack,
     half_length: f64,
     foundation: Moving<'a>,
-    /// Beyond it [rad/m] the rail does not feel the foundation, and its last value serves.
-    felt: f64,
     speed: f64,
     /// Beyond it [rad/m] nothing matters.
     pub beta_max: f64,
@@ -245,7 +245,7 @@ pub struct MovingSpectrum<'a> {
 
 impl MovingSpectrum<'_> {
     fn respond(&self, beta: f64) -> (Displacements, Complex64) {
-        let stiffness = (self.foundation.stiffness)(beta.clamp(BETA_MIN, self.felt));
+        let stiffness = (self.foundation.stiffness)(beta.max(BETA_MIN));
         let load = sinc(beta * self.half_length);
         let u = self.stack.respond(beta, -beta * self.speed, stiffness);
         (Displacements { rail: u.rail * load, base: u.base * load }, stiffness)

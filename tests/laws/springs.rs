@@ -106,7 +106,7 @@ fn at_rest(answer: Answer, &(numbers, beta, _): &Input) -> Verdict {
         if k.im != 0.0 || k.re <= 0.0 {
             return Err(format!("{model:?}: {k}"));
         }
-        // measured 1.1e-16: where the upper springs alone are felt
+        // measured 0; rounding where the upper springs alone are felt
         within((k.re - shorter.re) / k.re, 1e-14, || format!("{model:?}: {k} {shorter}"))
     })
 }

@@ -193,8 +193,9 @@ impl<'de> Deserializer<'de> for Node<'de> {
     fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
         match self {
             Self::List(list) => visitor.visit_seq(Items { list, next: 0 }),
-            other => Err(Fault::wrong(other.words(), "a list")
-                .help("a list is written [a, b, …]; one of tables has [[name]], with double brackets, above each of them")),
+            other => Err(Fault::wrong(other.words(), "a list").help(
+                "a list is written [a, b, …], or, where it is one of tables, with [[name]] above each",
+            )),
         }
     }
 
@@ -206,7 +207,7 @@ impl<'de> Deserializer<'de> for Node<'de> {
     ) -> Result<V::Value, Fault> {
         let Self::Table(keys) = self else {
             return Err(Fault::wrong(self.words(), "a table")
-                .help("a table is written { … }, or below [name], with single brackets"));
+                .help("a table is written { … }, or with [name], in single brackets, above it"));
         };
         if !fields.contains(&REST) {
             return visitor.visit_map(Keys { keys, rest: None, known: fields, next: 0 });
