@@ -8,6 +8,6 @@ mod track_on_foundation;
 pub use harmonic_load::HarmonicLoad;
 pub(crate) use harmonic_load::{NEGLIGIBLE, decay, within};
 pub(crate) use moving_load::panels;
-pub use moving_load::{InteractionError, MovingLoad, MovingSpectrum, Shape};
+pub use moving_load::{MovingLoad, MovingSpectrum, Shape};
 pub(crate) use track_on_foundation::BETA_MIN;
-pub use track_on_foundation::TrackOnFoundation;
+pub use track_on_foundation::{InteractionError, TrackOnFoundation};

@@ -7,17 +7,14 @@
 //! The integral is done once by adaptive panels; the same nodes then serve every x′, every member and, by
 //! superposition, every axle. There is no period and no wrap-around.
 
-use super::track_on_foundation::{BETA_MIN, Extent, TrackOnFoundation};
-use crate::foundation::{FoundationError, Moving};
+use super::track_on_foundation::{ACCURACY, BETA_MIN, Extent, InteractionError, TrackOnFoundation};
+use crate::foundation::Moving;
 use crate::math::quadrature::{Adaptive, Tolerance};
 use crate::soil::strip::sinc;
 use crate::track::{Displacements, Stack};
 use num_complex::Complex64;
 use std::f64::consts::PI;
-use thiserror::Error;
 
-/// Wanted error of the integral relative to the deflection under the load.
-pub(super) const ACCURACY: f64 = 1e-5;
 /// Evaluations of the track allowed (the foundation is interpolated).
 const MAX_COUNT: usize = 600_000;
 
@@ -47,25 +44,6 @@ pub struct Shape {
     pub rail: Vec<f64>,
     /// Base of the track, positive down.
     pub base: Vec<f64>,
-}
-
-/// Why a moving response cannot be computed.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum InteractionError {
-    /// The foundation cannot answer.
-    #[error(transparent)]
-    Foundation(#[from] FoundationError),
-    /// A real pole or a response without end.
-    #[error(
-        "the response at {speed:.2} m/s did not settle (error {error:.1e} of the deflection): waves without damping run \
-         with the load; give the ground or the track some damping"
-    )]
-    Diverges {
-        /// v [m/s]
-        speed: f64,
-        /// Relative error reached.
-        error: f64,
-    },
 }
 
 /// Panel ends up to `beta_max` [rad/m]: growing from the logarithm at 0, then no wider than fifteen nodes can follow e^{iβx′} for

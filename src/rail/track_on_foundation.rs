@@ -1,10 +1,9 @@
 //! A track on a foundation, and how far its answer to a moving load reaches.
 
-use super::InteractionError;
-use super::moving_load::ACCURACY;
-use crate::foundation::Foundation;
+use crate::foundation::{Foundation, FoundationError};
 use crate::track::Stack;
 use num_complex::Complex64;
+use thiserror::Error;
 
 /// Smallest wavenumber of the foundation [rad/m]; below it the last value is kept. The logarithm of a half-space
 /// makes that an error of about 1e-6 of the deflection.
@@ -12,12 +11,34 @@ pub(crate) const BETA_MIN: f64 = 1e-6;
 /// A point load whose spectrum has not faded here [rad/m] stands on nothing that spreads it.
 pub(super) const BETA_CAP: f64 = 400.0;
 
+/// Wanted error of the integral relative to the deflection under the load.
+pub(super) const ACCURACY: f64 = 1e-5;
+
 /// A stack on a foundation.
 pub struct TrackOnFoundation<'a> {
     pub(crate) stack: &'a Stack,
     pub(crate) foundation: &'a dyn Foundation,
     /// Half-length of each axle's contact along the track [m]; 0 for a point on a rail.
     pub(crate) half_length: f64,
+}
+
+/// Why a moving response cannot be computed.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum InteractionError {
+    /// The foundation cannot answer.
+    #[error(transparent)]
+    Foundation(#[from] FoundationError),
+    /// A real pole or a response without end.
+    #[error(
+        "the response at {speed:.2} m/s did not settle (error {error:.1e} of the deflection): waves without damping run \
+         with the load; give the ground or the track some damping"
+    )]
+    Diverges {
+        /// v [m/s]
+        speed: f64,
+        /// Relative error reached.
+        error: f64,
+    },
 }
 
 /// How far a spectrum reaches.
