@@ -9,7 +9,7 @@
 use crate::math::complex::I;
 use crate::math::interpolation::Interpolant;
 use crate::math::quadrature::{Adaptive, Tolerance};
-use crate::rail::{BETA_MIN, InteractionError, TrackOnFoundation, panels, within};
+use crate::rail::{BETA_MIN, InteractionError, TrackOnFoundation, Waves, panels, within};
 use crate::soil::{GroundSolver, Profile, SoilError, Solver, Strip};
 use crate::vehicle::Axle;
 use num_complex::Complex64;
@@ -24,9 +24,8 @@ const ACCURACY: f64 = 1e-5;
 #[derive(Clone, Debug)]
 pub struct Passage {
     speed: f64,
-    beta: Vec<f64>,
-    /// Spectrum times weight/π.
-    spectrum: Vec<Complex64>,
+    /// q̃R/π
+    waves: Waves,
     /// False where an integral missed its accuracy.
     pub converged: bool,
 }
@@ -35,7 +34,7 @@ impl Passage {
     /// Displacement u_z [m/N], positive down, `time` [s] after the load was abreast.
     pub fn displacement(&self, time: f64) -> f64 {
         let x = -self.speed * time;
-        self.beta.iter().zip(&self.spectrum).map(|(beta, u)| (u * Complex64::cis(beta * x)).re).sum()
+        self.waves.at(x).re
     }
 
     /// Velocity v_z = ∂u_z/∂t [m/s per N], positive down, at `count` times from `first` on, every `step` [s]: each node turns by the same e^{−iβvΔt} from one to
@@ -43,14 +42,14 @@ impl Passage {
     pub fn velocities(&self, first: f64, step: f64, count: usize) -> Vec<f64> {
         const RUN: usize = 256;
         let turns: Vec<Complex64> =
-            self.beta.iter().map(|beta| Complex64::cis(-beta * self.speed * step)).collect();
+            self.waves.beta.iter().map(|beta| Complex64::cis(-beta * self.speed * step)).collect();
         let runs: Vec<Vec<f64>> = (0..count.div_ceil(RUN))
             .into_par_iter()
             .map(|run| {
                 let x = -self.speed * (first + step * (run * RUN) as f64);
-                let nodes = self.beta.iter().zip(&self.spectrum);
+                let turned = self.waves.iter();
                 let mut waves: Vec<Complex64> =
-                    nodes.map(|(beta, u)| -I * beta * self.speed * u * Complex64::cis(beta * x)).collect();
+                    turned.map(|(beta, u)| -I * beta * self.speed * u * Complex64::cis(beta * x)).collect();
                 (run * RUN..count.min((run + 1) * RUN))
                     .map(|_| {
                         let sum = waves.iter().map(|w| w.re).sum();
@@ -70,8 +69,7 @@ impl Passage {
         let train = |beta: f64| -> Complex64 {
             axles.iter().map(|a| a.load * Complex64::cis(beta * (a.position - lead))).sum()
         };
-        let spectrum = self.beta.iter().zip(&self.spectrum).map(|(beta, u)| u * train(*beta)).collect();
-        Self { spectrum, ..self.clone() }
+        Self { waves: self.waves.times(train), ..self.clone() }
     }
 }
 
@@ -139,18 +137,10 @@ impl TrackOnFoundation<'_> {
         integral.add(&mut integrand, &points);
         let tolerance = Tolerance { relative: ACCURACY, absolute: 0.0, max_count: 200_000 };
         let estimate = integral.refine(&mut integrand, Complex64::ZERO, tolerance);
-        let mut passage = Passage {
+        Ok(Passage {
             speed,
-            beta: Vec::new(),
-            spectrum: Vec::new(),
+            waves: Waves::new(&integral.into_rule(), 1.0 / PI, |_, u| u),
             converged: converged.get() && table.converged() && estimate.converged && spectrum.converged(),
-        };
-        for panel in integral.into_panels() {
-            for i in 0..15 {
-                passage.beta.push(panel.x[i]);
-                passage.spectrum.push(panel.f[i] * (panel.w[i] / PI));
-            }
-        }
-        Ok(passage)
+        })
     }
 }

@@ -11,7 +11,7 @@
 
 use crate::math::complex::I;
 use crate::math::interpolation::Interpolant;
-use crate::math::quadrature::{Adaptive, Tolerance};
+use crate::math::quadrature::{Adaptive, Node, Tolerance};
 use crate::rail::{InteractionError, TrackOnFoundation};
 use crate::soil::strip::sinc;
 use crate::soil::{PreparedGround, Strip};
@@ -193,13 +193,12 @@ impl TrackOnFoundation<'_> {
         let estimate = integral.refine(&mut integrand, Complex64::ZERO, tolerance);
 
         // all rows at every node, times weight/π
-        let nodes: Vec<(f64, f64)> =
-            integral.into_panels().iter().flat_map(|p| p.x.into_iter().zip(p.w)).collect();
+        let nodes = integral.into_rule().0;
         let rows: Vec<(Vec<Complex64>, f64)> = nodes
             .par_iter()
-            .map(|&(beta, w)| {
+            .map(|&Node { x: beta, weight, .. }| {
                 let (mut h, error) = transfer.at(beta, compliance.at(beta), &across.distances);
-                let weight = w / PI * transfer.spread(beta);
+                let weight = weight / PI * transfer.spread(beta);
                 h.iter_mut().for_each(|h| *h *= weight);
                 (h, error * weight.abs())
             })
@@ -209,8 +208,8 @@ impl TrackOnFoundation<'_> {
             .par_iter()
             .map(|x| {
                 let mut column = vec![Complex64::ZERO; across.distances.len()];
-                for ((beta, _), (h, _)) in nodes.iter().zip(&rows) {
-                    let cos = (beta * x).cos();
+                for (node, (h, _)) in nodes.iter().zip(&rows) {
+                    let cos = (node.x * x).cos();
                     column.iter_mut().zip(h).for_each(|(sum, h)| *sum += h * cos);
                 }
                 column

@@ -45,13 +45,13 @@ pub struct Estimate {
 
 /// Fifteen samples of one panel: abscissae, Kronrod weights scaled to the panel, and values.
 #[derive(Clone, Debug)]
-pub struct Panel {
+struct Panel {
     /// Abscissae, ascending.
-    pub x: [f64; 15],
+    x: [f64; 15],
     /// Weights, so that Σ w f(x) is the integral over the panel.
-    pub w: [f64; 15],
+    w: [f64; 15],
     /// Values of the integrand.
-    pub f: [Complex64; 15],
+    f: [Complex64; 15],
     from: f64,
     to: f64,
     value: Complex64,
@@ -200,12 +200,29 @@ impl Adaptive {
         Estimate { value: self.value, error, count: self.count, converged: error <= 1.0001 * goal }
     }
 
-    /// The panels with their samples, in ascending order: a quadrature rule for related integrands.
-    pub fn into_panels(self) -> Vec<Panel> {
+    /// Its nodes, in ascending order: a rule for related integrands.
+    pub fn into_rule(self) -> Rule {
         let mut panels = self.panels.into_vec();
         panels.sort_by(|a, b| a.from.total_cmp(&b.from));
-        panels
+        let nodes =
+            panels.iter().flat_map(|p| (0..15).map(|i| Node { x: p.x[i], weight: p.w[i], value: p.f[i] }));
+        Rule(nodes.collect())
     }
+}
+
+/// A settled integral: Σ `weight` · `value` is ∫ f dx.
+#[derive(Clone, Debug, Default)]
+pub struct Rule(pub Vec<Node>);
+
+/// One node of a rule.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node {
+    /// x
+    pub x: f64,
+    /// What f(x) counts.
+    pub weight: f64,
+    /// f(x)
+    pub value: Complex64,
 }
 
 /// ∫ f over consecutive `breakpoints` by global adaptive Gauss–Kronrod 7–15 (QUADPACK `qag`).

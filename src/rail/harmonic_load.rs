@@ -12,6 +12,7 @@
 //! Source: Lamprea-Pineda et al. 2022, Eqs 85–87 and application 3.
 
 use super::track_on_foundation::BETA_CAP;
+use super::waves::Waves;
 use super::{InteractionError, TrackOnFoundation};
 use crate::math::quadrature::{Adaptive, Estimate, Tolerance};
 use crate::soil::strip::sinc;
@@ -26,13 +27,11 @@ pub(super) const ACCURACY: f64 = 1e-4;
 /// Evaluations of the track allowed (the foundation is interpolated).
 const MAX_COUNT: usize = 600_000;
 
-/// Response to a unit harmonic load as a quadrature rule over β.
+/// Response to a unit harmonic load as waves of both signs of β.
 #[derive(Clone, Debug)]
 pub struct HarmonicLoad {
-    /// Nodes, both signs, ascending [rad/m].
-    pub beta: Vec<f64>,
-    /// ũ_r times weight/2π [m/N].
-    pub rail: Vec<Complex64>,
+    /// ũ_r/2π [m/N]
+    waves: Waves,
     /// False where the accuracy was missed.
     pub converged: bool,
 }
@@ -40,7 +39,7 @@ pub struct HarmonicLoad {
 impl HarmonicLoad {
     /// α(x′) [m/N] at `x` = x′ [m], positive ahead of the load.
     pub fn rail(&self, x: f64) -> Complex64 {
-        self.beta.iter().zip(&self.rail).map(|(beta, u)| u * Complex64::cis(beta * x)).sum()
+        self.waves.at(x)
     }
 }
 
@@ -90,24 +89,12 @@ impl TrackOnFoundation<'_> {
         if !estimate.converged && (error.is_nan() || error > 1e-2) {
             return Err(InteractionError::Diverges { speed, error });
         }
-        let mut load = HarmonicLoad {
-            beta: Vec::new(),
-            rail: Vec::new(),
+        let waves = Waves::new(&integral.into_rule(), 1.0 / TAU, |_, rail| rail);
+        Ok(HarmonicLoad {
+            // standing, it is even in β
+            waves: if speed == 0.0 { waves.mirrored() } else { waves },
             converged: estimate.converged && faded && line.converged,
-        };
-        for panel in integral.into_panels() {
-            for i in 0..15 {
-                load.beta.push(panel.x[i]);
-                load.rail.push(panel.f[i] * (panel.w[i] / TAU));
-            }
-        }
-        if speed == 0.0 {
-            // even in β
-            let mirror = |v: &[Complex64]| -> Vec<Complex64> { v.iter().rev().chain(v).copied().collect() };
-            load.beta = load.beta.iter().rev().map(|b| -b).chain(load.beta.iter().copied()).collect();
-            load.rail = mirror(&load.rail);
-        }
-        Ok(load)
+        })
     }
 
     /// Displacement of the ground's surface [m/N] at distances `receivers` [m] from the centre line, abreast of a standing unit

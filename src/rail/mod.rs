@@ -4,6 +4,7 @@ mod driven_line;
 mod harmonic_load;
 mod moving_load;
 mod track_on_foundation;
+mod waves;
 
 pub use harmonic_load::HarmonicLoad;
 pub(crate) use harmonic_load::{NEGLIGIBLE, decay, within};
@@ -11,3 +12,4 @@ pub(crate) use moving_load::panels;
 pub use moving_load::{MovingLoad, MovingSpectrum, Shape};
 pub(crate) use track_on_foundation::BETA_MIN;
 pub use track_on_foundation::{InteractionError, TrackOnFoundation};
+pub(crate) use waves::Waves;

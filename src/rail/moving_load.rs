@@ -8,6 +8,7 @@
 //! superposition, every axle. There is no period and no wrap-around.
 
 use super::track_on_foundation::{ACCURACY, BETA_MIN, Extent, InteractionError, TrackOnFoundation};
+use super::waves::Waves;
 use crate::foundation::Moving;
 use crate::math::quadrature::{Adaptive, Tolerance};
 use crate::soil::strip::sinc;
@@ -23,10 +24,9 @@ const MAX_COUNT: usize = 600_000;
 pub struct MovingLoad {
     /// v [m/s]
     pub speed: f64,
-    beta: Vec<f64>,
-    /// weight × ũ / π of rail and base.
-    rail: Vec<Complex64>,
-    base: Vec<Complex64>,
+    /// ũ/π of rail and base [m/N].
+    rail: Waves,
+    base: Waves,
     /// False where a tolerance was not met.
     pub converged: bool,
     /// Evaluations of the ground, bounded however little it damps: where that cut the work short, `converged` is false.
@@ -104,23 +104,14 @@ impl TrackOnFoundation<'_> {
         if !estimate.converged && (error.is_nan() || error > 1e-3) {
             return Err(InteractionError::Diverges { speed, error });
         }
-        let mut response = MovingLoad {
+        let rule = integral.into_rule();
+        Ok(MovingLoad {
             speed,
-            beta: Vec::new(),
-            rail: Vec::new(),
-            base: Vec::new(),
+            rail: Waves::new(&rule, 1.0 / PI, |_, rail| rail),
+            base: Waves::new(&rule, 1.0 / PI, |beta, _| spectrum.at(beta).base),
             converged: estimate.converged && spectrum.foundation.converged,
             count: spectrum.foundation.count,
-        };
-        for panel in integral.into_panels() {
-            for i in 0..15 {
-                let u = spectrum.at(panel.x[i]);
-                response.beta.push(panel.x[i]);
-                response.rail.push(u.rail * (panel.w[i] / PI));
-                response.base.push(u.base * (panel.w[i] / PI));
-            }
-        }
-        Ok(response)
+        })
     }
 }
 
@@ -181,12 +172,12 @@ impl MovingSpectrum<'_> {
 impl MovingLoad {
     /// Rail displacement per unit load at `x` = x′ [m], positive ahead of the load [m/N].
     pub fn rail(&self, x: f64) -> f64 {
-        self.beta.iter().zip(&self.rail).map(|(beta, u)| (u * Complex64::cis(beta * x)).re).sum()
+        self.rail.at(x).re
     }
 
     /// The rail alone at `count` positions from `from` in steps of `step` [m].
     pub fn rail_shape(&self, from: f64, step: f64, count: usize) -> Vec<f64> {
-        self.transform(&self.rail, from, step, count)
+        self.rail.shape(from, step, count)
     }
 
     /// Rail and base at `count` positions from `from` in steps of `step` [m].
@@ -195,41 +186,7 @@ impl MovingLoad {
             from,
             step,
             rail: self.rail_shape(from, step, count),
-            base: self.transform(&self.base, from, step, count),
+            base: self.base.shape(from, step, count),
         }
-    }
-
-    /// Σ Re(u e^{iβx}) on a uniform grid, four nodes at a time; e^{iβx} by rotation, restarted every 256 steps so that
-    /// its rounding stays below 1e-13.
-    fn transform(&self, u: &[Complex64], from: f64, step: f64, count: usize) -> Vec<f64> {
-        const LANES: usize = 4;
-        const RESTART: usize = 256;
-        let mut sum = vec![0.0; count];
-        for (betas, values) in self.beta.chunks(LANES).zip(u.chunks(LANES)) {
-            let (mut turn_re, mut turn_im) = ([1.0; LANES], [0.0; LANES]);
-            for (i, beta) in betas.iter().enumerate() {
-                (turn_im[i], turn_re[i]) = (beta * step).sin_cos();
-            }
-            for (block, part) in sum.chunks_mut(RESTART).enumerate() {
-                let x = from + step * (block * RESTART) as f64;
-                let (mut re, mut im) = ([0.0; LANES], [0.0; LANES]);
-                for (i, (beta, value)) in betas.iter().zip(values).enumerate() {
-                    let z = value * Complex64::cis(beta * x);
-                    (re[i], im[i]) = (z.re, z.im);
-                }
-                for slot in part {
-                    let mut total = 0.0;
-                    for i in 0..LANES {
-                        total += re[i];
-                        (re[i], im[i]) = (
-                            re[i] * turn_re[i] - im[i] * turn_im[i],
-                            re[i] * turn_im[i] + im[i] * turn_re[i],
-                        );
-                    }
-                    *slot += total;
-                }
-            }
-        }
-        sum
     }
 }

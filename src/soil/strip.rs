@@ -11,7 +11,7 @@
 use super::{Profile, half_space};
 use crate::math::bessel::modified_bessel;
 use crate::math::complex::I;
-use crate::math::quadrature::{Adaptive, Estimate, Tolerance};
+use crate::math::quadrature::{Adaptive, Estimate, Node, Tolerance};
 use crate::quantity::positive;
 use num_complex::Complex64;
 use schemars::JsonSchema;
@@ -281,13 +281,12 @@ pub fn receivers_quadrature(
     let (estimate, integral) = integral(u_zz, outline, beta, &kernel, relative);
     let kappa0 = kernel.kappa0;
     let coefficients = tail(outline, kappa0);
-    let mut nodes = Vec::new();
-    for panel in integral.into_panels() {
-        for (q, w) in panel.x.into_iter().zip(panel.w) {
-            let k = beta.hypot(q);
-            nodes.push((q, (u_zz(k) - tail_at(coefficients, kappa0, k)) * (sinc(q * b) * w / PI)));
-        }
-    }
+    let rule = integral.into_rule();
+    let weighted = |&Node { x: q, weight, .. }: &Node| {
+        let k = beta.hypot(q);
+        (q, (u_zz(k) - tail_at(coefficients, kappa0, k)) * (sinc(q * b) * weight / PI))
+    };
+    let nodes: Vec<(f64, Complex64)> = rule.0.iter().map(weighted).collect();
     let beta_c = beta.hypot(kappa0);
     y.iter()
         .map(|y| {

@@ -45,8 +45,8 @@ fn dense(stack: &Stack, profile: &Profile, speed: f64) -> Vec<f64> {
     integral.add(&mut spectrum, &points);
     let tolerance = Tolerance { relative: 1e-4, absolute: 0.0, max_count: 20_000 };
     integral.refine(&mut spectrum, Complex64::ZERO, tolerance);
-    let panels = integral.into_panels();
-    let nodes: Vec<_> = panels.iter().flat_map(|p| (0..15).map(|i| (p.x[i], p.f[i] * p.w[i]))).collect();
+    let nodes: Vec<_> =
+        integral.into_rule().0.iter().map(|node| (node.x, node.value * node.weight)).collect();
     X.iter().map(|x| nodes.iter().map(|(b, u)| (u * Complex64::cis(b * x)).re).sum::<f64>() / PI).collect()
 }
 
