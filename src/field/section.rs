@@ -1,14 +1,8 @@
-//! The ground across the track at one ω: what a force on the rail does to receivers, for any β.
-//!
-//! ```text
-//! h(β, ω; y) = k_eq ũ_base R(β, ω; y)
-//! ```
-//!
-//! is the displacement at y [m per N/m] of a unit force per metre e^{i(ωt + βx)} on the rail, R the receiver integral. It is even in β.
-//! A force P e^{iω̃t} moving at v passes a receiver at x = 0 as the spectrum û(ω) = (P/v) h((ω̃ − ω)/v, ω).
+//! The ground across the track at one ω: h(β; y) of [`Transfer`] for any β, as tables.
 
+use super::transfer::Transfer;
 use crate::math::interpolation::Interpolant;
-use crate::rail::{NEGLIGIBLE, decay, within};
+use crate::rail::within;
 use crate::soil::{PreparedGround, Strip};
 use crate::track::Stack;
 use num_complex::Complex64;
@@ -16,27 +10,6 @@ use std::cell::Cell;
 
 /// Error of h relative to its largest value.
 const ACCURACY: f64 = 1e-3;
-
-/// h(β) at one receiver itself, without a table: [m per N/m] to 1e-5, and whether at least 1e-3 was reached. None where waves decay by
-/// more than 25 Np on the way: what little arrives is rounding of the integral, and no number is made of it.
-pub fn transfer(
-    stack: &Stack,
-    ground: &dyn PreparedGround,
-    strip: Strip,
-    (beta, omega): (f64, f64),
-    y: f64,
-) -> Option<(Complex64, bool)> {
-    const EXACT: f64 = 1e-5;
-    let slowest = ground.outline().wavenumbers.last().copied().unwrap_or(0.0);
-    if decay(beta, slowest, y - strip.half_width) > NEGLIGIBLE {
-        return None;
-    }
-    let under = ground.strip(beta, strip, EXACT);
-    let beside = ground.receiver(beta, strip.half_width, y, EXACT);
-    let stiffness = 1.0 / under.value;
-    let force = stack.respond(beta, omega, stiffness).base * stiffness;
-    Some((force * beside.value, within(&under, ACCURACY) && within(&beside, ACCURACY)))
-}
 
 /// h at one ω for some receivers.
 pub struct Section {
@@ -58,7 +31,8 @@ impl Section {
         receivers: &[f64],
     ) -> Self {
         let waves = &ground.outline().wavenumbers;
-        let slowest = waves.last().copied().unwrap_or(0.0);
+        let transfer = Transfer::new(stack, ground, strip, omega);
+        let slowest = transfer.slowest;
         // waves decay from the edge of the strip; nearer to it than its half-width the track's own bending fades them first
         let distance = |y: f64| (y - strip.half_width).max(0.5 * strip.half_width);
         let beta_max = |y: f64| slowest.hypot((1e4f64.ln() + 2.0) / distance(y));
@@ -75,7 +49,7 @@ impl Section {
         let compliance = Interpolant::new(
             |nodes| {
                 nodes.map(|beta| {
-                    let estimate = ground.strip(beta, strip, 0.1 * ACCURACY);
+                    let estimate = transfer.compliance(beta, 0.1 * ACCURACY);
                     converged.set(converged.get() && within(&estimate, ACCURACY));
                     estimate.value
                 })
@@ -83,18 +57,13 @@ impl Section {
             &points(widest),
             |_, value| 0.1 * ACCURACY * value.norm(),
         );
-        let force = |beta: f64| {
-            let stiffness = 1.0 / compliance.at(beta);
-            stack.respond(beta, omega, stiffness).base * stiffness
-        };
         let (mut transfers, mut reach) = (Vec::new(), Vec::new());
         for &y in receivers {
             let top = beta_max(y);
             let h = |beta: f64| {
-                let relative = (0.1 * ACCURACY * decay(beta, slowest, y - strip.half_width).exp()).min(0.1);
-                let estimate = ground.receiver(beta, strip.half_width, y, relative);
-                converged.set(converged.get() && within(&estimate, 10.0 * relative));
-                force(beta) * estimate.value
+                let (receiver, met) = transfer.receiver(beta, y, 0.1 * ACCURACY);
+                converged.set(converged.get() && met);
+                transfer.force(beta, compliance.at(beta)) * receiver
             };
             let largest = (0..=12).map(|i| h(slowest * f64::from(i) / 12.0).norm()).fold(0.0, f64::max);
             let table = Interpolant::new(|nodes| nodes.map(h), &points(top), |_, _| 0.3 * ACCURACY * largest);

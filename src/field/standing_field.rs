@@ -9,6 +9,7 @@
 //! cos(qy) everywhere between; the same nodes then serve all points. There is no period, hence no wrap-around however light
 //! the damping. The field is even in x and in y.
 
+use super::transfer::Transfer;
 use crate::math::complex::I;
 use crate::math::interpolation::Interpolant;
 use crate::math::quadrature::{Adaptive, Node, Tolerance};
@@ -67,33 +68,26 @@ struct Reach {
     largest: [f64; 2],
 }
 
-/// The ground under the track at one ω.
-struct Transfer<'a> {
+/// h beside a standing load.
+struct Beside<'a> {
     track: &'a TrackOnFoundation<'a>,
-    ground: &'a dyn PreparedGround,
-    strip: Strip,
-    omega: f64,
-    /// Wavenumber of the slowest wave [rad/m].
-    slowest: f64,
+    transfer: Transfer<'a>,
 }
 
-impl Transfer<'_> {
+impl Beside<'_> {
     /// 1/k_eq [m²/N]
     fn compliance(&self, beta: f64) -> Complex64 {
-        self.ground.strip(beta, self.strip, 0.1 * ACCURACY).value
+        self.transfer.compliance(beta, 0.1 * ACCURACY).value
     }
 
     /// h(β; y) for `y`, nearest first, of a load at a point of the rail, and its error.
     fn at(&self, beta: f64, compliance: Complex64, y: &[f64]) -> (Vec<Complex64>, f64) {
-        let stiffness = 1.0 / compliance;
-        let force = self.track.stack.respond(beta, self.omega, stiffness).base * stiffness;
-        let b = self.strip.half_width;
-        // e^{−√(β² − k²)(y − b)} beside waves of wavenumber k is wanted relative to them, not to itself
-        let rate = (beta * beta - self.slowest * self.slowest).max(0.0).sqrt();
-        let decay = |y: f64| (rate * (y - b).max(0.0)).exp();
+        let force = self.transfer.force(beta, compliance);
+        // wanted relative to the waves beside which it decays, not to itself
+        let decay = |y: f64| self.transfer.nepers(beta, y).max(0.0).exp();
         let relative = (0.03 * ACCURACY * decay(y[0])).min(0.1);
         let reached = y.partition_point(|y| 0.01 * ACCURACY * decay(*y) < 1.0).max(1);
-        let answers = self.ground.receivers(beta, b, &y[..reached], relative);
+        let answers = self.transfer.receivers(beta, &y[..reached], relative);
         let error = answers.iter().map(|r| r.error).fold(0.0, f64::max) * force.norm();
         let mut h: Vec<Complex64> = answers.iter().map(|r| force * r.value).collect();
         h.resize(y.len(), Complex64::ZERO);
@@ -120,11 +114,11 @@ impl Transfer<'_> {
             sum += size[0] * width;
             (size[0], sum)
         };
-        let step = self.slowest / f64::from(STEPS);
+        let step = self.transfer.slowest / f64::from(STEPS);
         for i in 0..STEPS {
             size(step * (f64::from(i) + 0.5), step);
         }
-        let mut top = self.slowest;
+        let mut top = self.transfer.slowest;
         loop {
             let next = 1.3 * top + 0.2;
             let (last, sum) = size(next, next - top);
@@ -160,17 +154,16 @@ impl TrackOnFoundation<'_> {
         let ends = |all: &[f64]| [all[0], all[all.len() - 1]];
         let (x_ends, y_ends) = (ends(&along.distances), ends(&across.distances));
         let waves = &ground.outline().wavenumbers;
-        let slowest = waves.last().copied().unwrap_or(0.0);
-        let transfer = Transfer { track: self, ground, strip, omega, slowest };
+        let beside = Beside { track: self, transfer: Transfer::new(self.stack, ground, strip, omega) };
 
-        let Reach { top, rest, largest: [near, far] } = transfer.reach(&y_ends);
+        let Reach { top, rest, largest: [near, far] } = beside.reach(&y_ends);
         let far = far.max(LEAST_SHARE * near);
         let mut points = vec![0.0];
         points.extend(waves.iter().copied().filter(|k| *k > 0.0 && *k < 0.999 * top));
         points.dedup_by(|a, b| *a - *b < 1e-6 * *a);
         points.push(top);
         let compliance = Interpolant::new(
-            |nodes| nodes.map(|beta| transfer.compliance(beta)),
+            |nodes| nodes.map(|beta| beside.compliance(beta)),
             &points,
             |_, value| 0.1 * ACCURACY * value.norm(),
         );
@@ -183,8 +176,8 @@ impl TrackOnFoundation<'_> {
         }
         // two real measures of scale, one complex integrand: neither row hides the other
         let mut integrand = |beta: f64| {
-            let (h, _) = transfer.at(beta, compliance.at(beta), &y_ends);
-            (h[0] / near + I * h[1] / far) * transfer.spread(beta)
+            let (h, _) = beside.at(beta, compliance.at(beta), &y_ends);
+            (h[0] / near + I * h[1] / far) * beside.spread(beta)
         };
         let mut integral = Adaptive::new();
         integral.add(&mut integrand, &fine);
@@ -197,8 +190,8 @@ impl TrackOnFoundation<'_> {
         let rows: Vec<(Vec<Complex64>, f64)> = nodes
             .par_iter()
             .map(|&Node { x: beta, weight, .. }| {
-                let (mut h, error) = transfer.at(beta, compliance.at(beta), &across.distances);
-                let weight = weight / PI * transfer.spread(beta);
+                let (mut h, error) = beside.at(beta, compliance.at(beta), &across.distances);
+                let weight = weight / PI * beside.spread(beta);
                 h.iter_mut().for_each(|h| *h *= weight);
                 (h, error * weight.abs())
             })

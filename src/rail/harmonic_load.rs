@@ -11,16 +11,12 @@
 //!
 //! Source: Lamprea-Pineda et al. 2022, Eqs 85–87 and application 3.
 
-use super::track_on_foundation::BETA_CAP;
 use super::waves::Waves;
 use super::{InteractionError, TrackOnFoundation};
 use crate::math::quadrature::{Adaptive, Estimate, Tolerance};
 use crate::soil::strip::sinc;
-use crate::soil::{PreparedGround, Strip};
 use num_complex::Complex64;
-use std::cell::{Cell, RefCell};
-use std::collections::HashMap;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Wanted error of the integral relative to the receptance under the load.
 pub(super) const ACCURACY: f64 = 1e-4;
@@ -95,78 +91,6 @@ impl TrackOnFoundation<'_> {
             waves: if speed == 0.0 { waves.mirrored() } else { waves },
             converged: estimate.converged && faded && line.converged,
         })
-    }
-
-    /// Displacement of the ground's surface [m/N] at distances `receivers` [m] from the centre line, abreast of a standing unit
-    /// force e^{iωt}: (1/π) ∫₀^∞ k_eq ũ_base R(β; y) dβ, R the receiver integral of `ground`, prepared at `omega` ≠ 0; and whether
-    /// the accuracy was met at all of them.
-    ///
-    /// Accuracy: 1e-4 of each (test `cross_solver::receptance`).
-    ///
-    /// # Errors
-    /// An integral that diverges.
-    pub fn ground(
-        &self,
-        omega: f64,
-        ground: &dyn PreparedGround,
-        strip: Strip,
-        receivers: &[f64],
-    ) -> Result<(Vec<Complex64>, bool), InteractionError> {
-        let kept = RefCell::new(HashMap::new());
-        let converged = Cell::new(true);
-        let force = |beta: f64| {
-            *kept.borrow_mut().entry(beta.to_bits()).or_insert_with(|| {
-                let estimate = ground.strip(beta, strip, 0.1 * ACCURACY);
-                converged.set(converged.get() && within(&estimate, ACCURACY));
-                let stiffness = 1.0 / estimate.value;
-                let u = self.stack.respond(beta, omega, stiffness);
-                u.base * stiffness * sinc(beta * self.half_length)
-            })
-        };
-        let waves = &ground.outline().wavenumbers;
-        let slowest = waves.last().copied().unwrap_or(0.0);
-        let values = receivers
-            .iter()
-            .map(|&y| {
-                let mut integrand = |beta: f64| {
-                    // wanted relative to the waves beside which it decays, not to itself
-                    let nepers = decay(beta, slowest, y - strip.half_width);
-                    let wanted = (0.1 * ACCURACY * nepers.exp()).min(0.1);
-                    let estimate = ground.receiver(beta, strip.half_width, y, wanted);
-                    let met = nepers > NEGLIGIBLE || within(&estimate, 10.0 * wanted);
-                    converged.set(converged.get() && met);
-                    force(beta) * estimate.value
-                };
-                let mut points = vec![0.0];
-                points.extend(waves.iter().copied());
-                let mut integral = Adaptive::new();
-                integral.add(&mut integrand, &points);
-                // beyond the slowest wave the field decays
-                let mut top = points[points.len() - 1];
-                loop {
-                    let next = 1.3 * top + 0.2;
-                    integral.add(&mut integrand, &[top, next]);
-                    top = next;
-                    let rest = integrand(top).norm() * top / 3.0;
-                    if rest < 0.3 * ACCURACY * integral.value().norm() {
-                        break;
-                    }
-                    if top > BETA_CAP {
-                        converged.set(false);
-                        break;
-                    }
-                }
-                let tolerance = Tolerance { relative: 0.5 * ACCURACY, absolute: 0.0, max_count: MAX_COUNT };
-                let estimate = integral.refine(&mut integrand, Complex64::ZERO, tolerance);
-                let error = estimate.error / estimate.value.norm();
-                if !estimate.converged && (error.is_nan() || error > 1e-2) {
-                    return Err(InteractionError::Diverges { speed: 0.0, error });
-                }
-                converged.set(converged.get() && estimate.converged);
-                Ok(estimate.value / PI)
-            })
-            .collect::<Result<_, _>>()?;
-        Ok((values, converged.get()))
     }
 }
 

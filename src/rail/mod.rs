@@ -10,6 +10,6 @@ pub use harmonic_load::HarmonicLoad;
 pub(crate) use harmonic_load::{NEGLIGIBLE, decay, within};
 pub(crate) use moving_load::panels;
 pub use moving_load::{MovingLoad, MovingSpectrum, Shape};
-pub(crate) use track_on_foundation::BETA_MIN;
+pub(crate) use track_on_foundation::{BETA_CAP, BETA_MIN};
 pub use track_on_foundation::{InteractionError, TrackOnFoundation};
 pub(crate) use waves::Waves;

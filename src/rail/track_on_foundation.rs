@@ -9,7 +9,7 @@ use thiserror::Error;
 /// makes that an error of about 1e-6 of the deflection.
 pub(crate) const BETA_MIN: f64 = 1e-6;
 /// A point load whose spectrum has not faded here [rad/m] stands on nothing that spreads it.
-pub(super) const BETA_CAP: f64 = 400.0;
+pub(crate) const BETA_CAP: f64 = 400.0;
 
 /// Wanted error of the integral relative to the deflection under the load.
 pub(super) const ACCURACY: f64 = 1e-5;

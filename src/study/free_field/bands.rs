@@ -4,7 +4,7 @@ use super::passes::Times;
 use super::{Driven, Pass, StudyError};
 use crate::assessment::rms;
 use crate::contact::{COUPLED, ContactForces};
-use crate::field::{Sections, transfer};
+use crate::field::{Sections, Transfer};
 use crate::irregularity::Spectrum;
 use crate::math::interpolation::cubic_weights;
 use crate::progress::Observer;
@@ -94,6 +94,9 @@ struct Slow {
     converged: bool,
 }
 
+/// Error of h from which on it counts as missed.
+const LEAST: f64 = 1e-3;
+
 impl Slow {
     /// Of `pass` between the frequencies `range` [Hz], on a ground with its exact solver: each β has its own ω.
     fn new(
@@ -110,8 +113,8 @@ impl Slow {
             .map(|i| {
                 let omega = TAU * (low + step * i as f64).exp();
                 let ground = solver.prepare(profile, omega, &[])?;
-                let at = (omega / study.speed, omega);
-                let h = |y: &f64| transfer(pass.railway.stack(), ground.as_ref(), pass.strip, at, *y);
+                let transfer = Transfer::new(pass.railway.stack(), ground.as_ref(), pass.strip, omega);
+                let h = |y: &f64| transfer.exact(omega / study.speed, *y, LEAST);
                 Ok(study.receivers.iter().map(h).collect())
             })
             .collect::<Result<_, StudyError>>()?;

@@ -1,0 +1,75 @@
+//! What a force on the rail does to the ground's surface beside the track, at one ω.
+//!
+//! ```text
+//! h(β, ω; y) = k_eq ũ_base R(β, ω; y)
+//! ```
+//!
+//! is the displacement at y [m per N/m] of a unit force per metre e^{i(ωt + βx)} on the rail, R the receiver integral. It is even in β.
+//! A force P e^{iω̃t} moving at v passes a receiver at x = 0 as the spectrum û(ω) = (P/v) h((ω̃ − ω)/v, ω).
+
+use crate::math::quadrature::Estimate;
+use crate::rail::{NEGLIGIBLE, decay, within};
+use crate::soil::{PreparedGround, Strip};
+use crate::track::Stack;
+use num_complex::Complex64;
+
+/// h of a track on a strip of ground.
+pub struct Transfer<'a> {
+    stack: &'a Stack,
+    ground: &'a dyn PreparedGround,
+    strip: Strip,
+    omega: f64,
+    /// Wavenumber of the slowest wave [rad/m].
+    pub slowest: f64,
+}
+
+impl<'a> Transfer<'a> {
+    /// `stack` on `strip` of `ground`, prepared at `omega` [rad/s].
+    pub fn new(stack: &'a Stack, ground: &'a dyn PreparedGround, strip: Strip, omega: f64) -> Self {
+        let slowest = ground.outline().wavenumbers.last().copied().unwrap_or(0.0);
+        Self { stack, ground, strip, omega, slowest }
+    }
+
+    /// 1/k_eq [m²/N] at `beta` [rad/m] to a `relative` accuracy.
+    pub fn compliance(&self, beta: f64, relative: f64) -> Estimate {
+        self.ground.strip(beta, self.strip, relative)
+    }
+
+    /// k_eq ũ_base: what of a unit force per metre reaches the ground [1], its `compliance` 1/k_eq known.
+    pub fn force(&self, beta: f64, compliance: Complex64) -> Complex64 {
+        let stiffness = 1.0 / compliance;
+        self.stack.respond(beta, self.omega, stiffness).base * stiffness
+    }
+
+    /// √(β² − k²)(y − b): nepers by which what is slower than every wave decays between the strip and `y` [m].
+    pub fn nepers(&self, beta: f64, y: f64) -> f64 {
+        decay(beta, self.slowest, y - self.strip.half_width)
+    }
+
+    /// R(β; y) [m²/N] to `relative` of the waves beside which it decays, not of itself, and whether ten times that was reached where
+    /// anything arrives.
+    pub fn receiver(&self, beta: f64, y: f64, relative: f64) -> (Complex64, bool) {
+        let nepers = self.nepers(beta, y);
+        let wanted = (relative * nepers.exp()).min(0.1);
+        let estimate = self.ground.receiver(beta, self.strip.half_width, y, wanted);
+        (estimate.value, nepers > NEGLIGIBLE || within(&estimate, 10.0 * wanted))
+    }
+
+    /// R(β; y) [m²/N] for many `y`, nearest first, to a `relative` accuracy.
+    pub fn receivers(&self, beta: f64, y: &[f64], relative: f64) -> Vec<Estimate> {
+        self.ground.receivers(beta, self.strip.half_width, y, relative)
+    }
+
+    /// h(β) at `y` itself [m per N/m] to 1e-5, and whether at least `least` was reached. None where waves decay by more than 25 Np on
+    /// the way: what little arrives is rounding of the integral, and no number is made of it.
+    pub fn exact(&self, beta: f64, y: f64, least: f64) -> Option<(Complex64, bool)> {
+        const EXACT: f64 = 1e-5;
+        if self.nepers(beta, y) > NEGLIGIBLE {
+            return None;
+        }
+        let under = self.compliance(beta, EXACT);
+        let beside = self.ground.receiver(beta, self.strip.half_width, y, EXACT);
+        let h = self.force(beta, under.value) * beside.value;
+        Some((h, within(&under, least) && within(&beside, least)))
+    }
+}
