@@ -6,7 +6,7 @@
 
 use super::WheelRail;
 use super::wheel_rail::Distances;
-use crate::math::interpolation::lagrange_weights;
+use crate::math::interpolation::lagrange_within;
 use crate::progress::Observer;
 use crate::rail::InteractionError;
 use num_complex::Complex64;
@@ -107,14 +107,15 @@ impl<'a> ContactForces<'a> {
         exact.iter().zip(&guess).all(|(p, q)| (q - p).norm() <= ACCURACY * p.norm().max(0.1 * largest))
     }
 
-    /// α at ln Ω = `place` from the polynomial through its neighbours.
+    /// α at ln Ω = `place` from the polynomial through its neighbours; no number beyond the table.
     fn interpolated(&self, place: f64) -> Vec<Complex64> {
         let above = self.table.partition_point(|entry| entry.place < place);
         let first = above.saturating_sub(NEIGHBOURS / 2).min(self.table.len() - NEIGHBOURS);
         let near = &self.table[first..first + NEIGHBOURS];
         let nodes: [f64; NEIGHBOURS] = std::array::from_fn(|i| near[i].place);
+        let ends = (self.table[0].place, self.table[self.table.len() - 1].place);
         let mut alpha = vec![Complex64::ZERO; near[0].alpha.len()];
-        for (entry, weight) in near.iter().zip(lagrange_weights(&nodes, place)) {
+        for (entry, weight) in near.iter().zip(lagrange_within(&nodes, place, ends)) {
             for (sum, value) in alpha.iter_mut().zip(&entry.alpha) {
                 *sum += value * weight;
             }
@@ -133,7 +134,7 @@ impl<'a> ContactForces<'a> {
         self.wheels.forces_from(&self.distances.matrix(alpha), place.exp() * self.wheels.speed, &self.starts)
     }
 
-    /// p_i = P_i e^{iΩa_i} [N per metre of a profile e^{iΩx}], Ω = `wavenumber` [rad/m] within the range: each force against the
+    /// p_i = P_i e^{iΩa_i} [N per metre of a profile e^{iΩx}], Ω = `wavenumber` [rad/m] within the range, no number beyond it: each force against the
     /// profile under its own wheel, so that p is smooth in Ω, however long the train (of wheels on one
     /// rail).
     pub fn at(&self, wavenumber: f64) -> Vec<Complex64> {

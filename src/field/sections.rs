@@ -1,7 +1,7 @@
 //! The ground across the track at any frequency: h(β, ω) between sections at some.
 
 use super::Section;
-use crate::math::interpolation::lagrange_weights;
+use crate::math::interpolation::lagrange_within;
 use crate::progress::Observer;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -115,12 +115,12 @@ impl Sections {
         again
     }
 
-    /// h at `omega` > 0 [rad/s]; beyond the sections the polynomial of the end.
+    /// h at `omega` > 0 [rad/s]; beyond the sections it is no number, as a polynomial knows nothing there.
     pub fn at(&self, omega: f64) -> Between<'_> {
         let above = self.omega.partition_point(|w| *w < omega);
         let first = above.saturating_sub(NODES / 2).min(self.omega.len() - NODES);
         let nodes: [f64; NODES] = std::array::from_fn(|i| self.omega[first + i]);
-        let weights = lagrange_weights(&nodes, omega);
+        let weights = lagrange_within(&nodes, omega, (self.omega[0], self.omega[self.omega.len() - 1]));
         let parts: [(f64, &Section, f64); NODES] =
             std::array::from_fn(|i| (nodes[i], &self.sections[first + i], weights[i]));
         let reach =

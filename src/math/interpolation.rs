@@ -142,6 +142,13 @@ impl Interpolant {
     }
 }
 
+/// Weights of the values at `nodes` (all different) in the polynomial through them, at `x`; no numbers where it lies beyond the `ends`
+/// of the data by more than rounding.
+pub fn lagrange_within<const N: usize>(nodes: &[f64; N], x: f64, ends: (f64, f64)) -> [f64; N] {
+    let rounding = 1e-9 * (ends.1 - ends.0).abs().max(ends.1.abs());
+    if x < ends.0 - rounding || x > ends.1 + rounding { [f64::NAN; N] } else { lagrange_weights(nodes, x) }
+}
+
 /// Weights of the values at −1, 0, 1, 2 in the cubic through them, at `t` in [0, 1].
 pub fn cubic_weights(t: f64) -> [f64; 4] {
     [
@@ -153,7 +160,7 @@ pub fn cubic_weights(t: f64) -> [f64; 4] {
 }
 
 /// Weights of the values at `nodes` (all different) in the polynomial through them, at `x`.
-pub fn lagrange_weights<const N: usize>(nodes: &[f64; N], x: f64) -> [f64; N] {
+fn lagrange_weights<const N: usize>(nodes: &[f64; N], x: f64) -> [f64; N] {
     // w_i = Π_{j ≠ i} (x − x_j)/(x_i − x_j)
     std::array::from_fn(|i| {
         (0..N).filter(|j| *j != i).map(|j| (x - nodes[j]) / (nodes[i] - nodes[j])).product()
