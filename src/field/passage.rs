@@ -140,7 +140,7 @@ impl TrackOnFoundation<'_> {
         Ok(Passage {
             speed,
             waves: Waves::new(&integral.into_rule(), 1.0 / PI, |_, u| u),
-            converged: converged.get() && table.converged() && estimate.converged && spectrum.converged(),
+            converged: converged.get() && table.converged() && estimate.converged && spectrum.worst() <= 1.0,
         })
     }
 }

@@ -192,7 +192,7 @@ impl Foundation for LayeredSoil {
             let middle = middle.filter(|b| *b > low + 0.5 && *b < high - 0.5);
             std::iter::once(low).chain(middle).chain([high]).collect()
         };
-        let (mut converged, count) = (true, Cell::new(0));
+        let (mut missed, count) = (0.0f64, Cell::new(0));
         let mut known = Known::default();
         let (mut highest_asked, mut last) = (f64::NEG_INFINITY, Complex64::ONE);
         let compliances = |nodes: &[f64; NODES]| -> Result<[Complex64; NODES], SoilError> {
@@ -225,7 +225,9 @@ impl Foundation for LayeredSoil {
                     let wanted = (0.1 * bearable).clamp(1e-8, loosest);
                     *value = estimate.value;
                     if wanted >= 0.1 * relative || !estimate.converged {
-                        converged &= estimate.converged;
+                        if !estimate.converged {
+                            missed = missed.max(estimate.error / (relative * estimate.value.norm()));
+                        }
                         known.insert(*x, wanted);
                         break;
                     }
@@ -239,9 +241,9 @@ impl Foundation for LayeredSoil {
         };
         let bearable = |x: f64, value| looser * allowed((x - shift).exp(), 1.0 / value);
         let table = Interpolant::bounded(compliances, &points, bearable, || count.get() < MOST)?;
-        let (worst, count) = (table.worst, count.get());
+        let (worst, count) = (table.worst.max(missed), count.get());
         let stiffness = move |beta: f64| -> Complex64 { 1.0 / table.at(beta.ln() + shift) };
-        Ok(Moving { stiffness: Box::new(stiffness), converged: converged && worst <= 1.0, worst, count })
+        Ok(Moving { stiffness: Box::new(stiffness), worst, count })
     }
 }
 

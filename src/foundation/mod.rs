@@ -82,8 +82,6 @@ pub struct Stiffness {
 pub struct Moving<'a> {
     /// k(β, −βv) [N/m²]
     pub stiffness: Box<dyn Fn(f64) -> Complex64 + Send + Sync + 'a>,
-    /// False where the wanted accuracy was not reached somewhere.
-    pub converged: bool,
     /// Error over what was allowed, where it is largest: at most 1 where the accuracy was reached everywhere.
     pub worst: f64,
     /// Evaluations of the ground it took.

@@ -67,7 +67,7 @@ impl Foundation for Springs {
         _allowed: &dyn Fn(f64, Complex64) -> f64,
     ) -> Result<Moving<'_>, FoundationError> {
         let along = move |beta: f64| self.at((beta * beta).into(), -beta * speed);
-        Ok(Moving { stiffness: Box::new(along), converged: true, worst: 0.0, count: 0 })
+        Ok(Moving { stiffness: Box::new(along), worst: 0.0, count: 0 })
     }
 }
 

@@ -27,9 +27,9 @@ pub struct MovingLoad {
     /// ũ/π of rail and base [m/N].
     rail: Waves,
     base: Waves,
-    /// False where a tolerance was not met.
-    pub converged: bool,
-    /// Evaluations of the ground, bounded however little it damps: where that cut the work short, `converged` is false.
+    /// Error over what was allowed, where it is largest: at most 1 where the accuracy was reached.
+    pub worst: f64,
+    /// Evaluations of the ground, bounded however little it damps: where that cut the work short, `worst` is above 1.
     pub count: usize,
 }
 
@@ -75,7 +75,9 @@ impl TrackOnFoundation<'_> {
             ACCURACY * sum / (q.norm_sqr() * beta).max(f64::MIN_POSITIVE)
         };
         let mut foundation = self.foundation.moving(speed, BETA_MIN, end, &allowed)?;
-        foundation.converged &= bounded;
+        if !bounded {
+            foundation.worst = f64::INFINITY;
+        }
         Ok(MovingSpectrum {
             stack: self.stack,
             half_length: self.half_length,
@@ -104,12 +106,14 @@ impl TrackOnFoundation<'_> {
         if !estimate.converged && (error.is_nan() || error > 1e-3) {
             return Err(InteractionError::Diverges { speed, error });
         }
+        // a settled integral met its own goal, to rounding
+        let own = if estimate.converged { (error / ACCURACY).min(1.0) } else { error / ACCURACY };
         let rule = integral.into_rule();
         Ok(MovingLoad {
             speed,
             rail: Waves::new(&rule, 1.0 / PI, |_, rail| rail),
             base: Waves::new(&rule, 1.0 / PI, |beta, _| spectrum.at(beta).base),
-            converged: estimate.converged && spectrum.foundation.converged,
+            worst: spectrum.worst().max(own),
             count: spectrum.foundation.count,
         })
     }
@@ -163,13 +167,18 @@ impl MovingSpectrum<'_> {
             .unwrap_or(1.0)
     }
 
-    /// False where the foundation missed its accuracy.
-    pub fn converged(&self) -> bool {
-        self.foundation.converged
+    /// Error of the foundation over what was allowed, where it is largest: at most 1 where its accuracy was reached.
+    pub fn worst(&self) -> f64 {
+        self.foundation.worst
     }
 }
 
 impl MovingLoad {
+    /// Whether the accuracy was reached.
+    pub fn converged(&self) -> bool {
+        self.worst <= 1.0
+    }
+
     /// Rail displacement per unit load at `x` = x′ [m], positive ahead of the load [m/N].
     pub fn rail(&self, x: f64) -> f64 {
         self.rail.at(x).re

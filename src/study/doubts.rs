@@ -9,16 +9,24 @@ use crate::soil::{Base, Profile};
 /// light axles and rock, heavy ones and peat.
 const TRACKS_SINK: std::ops::RangeInclusive<f64> = 0.05e-3..=50e-3;
 
-/// One concern for all `speeds` at which a quadrature missed its tolerance.
-pub(super) fn missed_accuracy(speeds: impl Iterator<Item = f64>) -> Option<Concern> {
-    let speeds: Vec<String> = speeds.map(|v| format!("{v:.1}")).collect();
-    (!speeds.is_empty()).then(|| {
-        Concern::new(
-            "quadrature",
-            format!("the wavenumber integrals missed their accuracy (1e-5) at {} m/s", speeds.join(", ")),
-            "poles lie too close to the real axis (more damping helps), or the track spreads the load too little, or a layer is very thin",
-        )
-    })
+/// One concern for all speeds [m/s] at which a quadrature missed its tolerance, and by what factor.
+pub(super) fn missed_accuracy(missed: &[(f64, f64)]) -> Option<Concern> {
+    let speeds: Vec<String> = missed.iter().map(|(v, _)| format!("{v:.1}")).collect();
+    let (_, factor) = missed.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let by = if factor.is_finite() {
+        format!("by a factor of {factor:.1}")
+    } else {
+        "by an unknown factor".into()
+    };
+    Some(Concern::new(
+        "quadrature",
+        format!(
+            "the wavenumber integrals missed their accuracy (1e-5), {by} at most, at {} m/s",
+            speeds.join(", ")
+        ),
+        "poles lie too close to the real axis, where the work was cut short (more damping helps), or the track spreads the load too \
+         little, or a layer is very thin",
+    ))
 }
 
 /// [`static_deflection`] under the heaviest axle of `railway`; None where it has no track, or no finite deflection.

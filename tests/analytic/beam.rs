@@ -25,7 +25,7 @@ fn amplification(zeta: f64, alpha: f64) -> (f64, f64, f64) {
     let track = TrackOnFoundation::new(&stack, &springs, 0.0);
     let reach = 30.0 / lambda();
     let response = track.moving(alpha * (4.0 * EI * K / (MASS * MASS)).powf(0.25), reach).unwrap();
-    assert!(response.converged, "ζ = {zeta}, α = {alpha}");
+    assert!(response.converged(), "ζ = {zeta}, α = {alpha}");
     let still = lambda() / (2.0 * K);
     let count = 6001;
     let shape = response.shape(-reach, 2.0 * reach / f64::from(count - 1), count as usize);

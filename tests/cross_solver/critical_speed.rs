@@ -28,7 +28,7 @@ fn reference() {
         let (mut worst, mut worst_up) = (0.0f64, 0.0f64);
         for ((speed, down), up) in list("speed").iter().zip(list("max_down")).zip(list("max_up")) {
             let response = track.moving(*speed, 61.0).unwrap();
-            assert!(response.converged);
+            assert!(response.converged());
             let shape = response.shape(-60.0, 0.05, 1801);
             let got_down = 150e3 * shape.rail.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             let got_up = 150e3 * shape.rail.iter().map(|w| -w).fold(f64::NEG_INFINITY, f64::max);
@@ -111,7 +111,7 @@ fn thin_layers() {
                 let t = std::time::Instant::now();
                 let response = TrackOnFoundation::new(&stack, soil, 0.0).moving(speed, 61.0).unwrap();
                 time[j] += t.elapsed().as_secs_f64();
-                assert!(response.converged);
+                assert!(response.converged());
                 let rail = response.shape(-60.0, 0.05, 1801).rail;
                 extremes[j] = rail.iter().fold((0.0, 0.0), |(a, b), w| (a.max(*w), b.max(-w)));
             }

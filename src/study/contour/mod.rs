@@ -43,8 +43,8 @@ pub struct GroundMaps {
     pub quantities: Vec<Quantity>,
     /// A field for each speed.
     pub fields: Vec<Field>,
-    /// Speeds [m/s] at which a quadrature missed its tolerance.
-    pub missed: Vec<f64>,
+    /// Speeds [m/s] at which the accuracy was missed, and by what factor.
+    pub missed: Vec<(f64, f64)>,
 }
 
 /// Distance over which a wave of wavenumber `k` fades to e^{−7} = 1e-3 in the least damped layer: e^{−ηkr/2}.
@@ -114,7 +114,8 @@ impl Contour {
             })
             .collect::<Result<Vec<_>, _>>()?;
         observer.end();
-        let missed = self.speeds.iter().zip(&fields).filter(|(_, field)| !field.1).map(|(v, _)| *v);
+        let missed =
+            self.speeds.iter().zip(&fields).map(|(v, field)| (*v, field.1)).filter(|(_, worst)| *worst > 1.0);
         Ok(GroundMaps {
             speeds: self.speeds.clone(),
             x: self.window.x_positions(),
@@ -133,8 +134,8 @@ impl Contour {
         Ok(self.solve(railway, observer)?.shown(railway))
     }
 
-    /// The field at one speed, and whether the track's spectrum met its accuracy.
-    fn field(&self, railway: &Railway, speed: f64) -> Result<(Field, bool), StudyError> {
+    /// The field at one speed, and the error of the track's spectrum over what was allowed.
+    fn field(&self, railway: &Railway, speed: f64) -> Result<(Field, f64), StudyError> {
         let ground = railway.ground()?;
         let (profile, solver) = (&ground.profile, ground.solver);
         let train = railway.train()?;
@@ -172,7 +173,7 @@ impl Contour {
                     half_width: strip.half_width,
                 };
                 let field = compute(load, spectrum.dominant_wavenumber())?;
-                Ok((field, spectrum.converged()))
+                Ok((field, spectrum.worst()))
             }
             Contact::Patch { half_length, strip } => {
                 let force = |beta: f64| Complex64::from(sinc(beta * half_length));
@@ -182,9 +183,9 @@ impl Contour {
                     beta_max: 16.0 / half_length,
                     half_width: strip.half_width,
                 };
-                Ok((compute(load, 1.0 / half_length)?, true))
+                Ok((compute(load, 1.0 / half_length)?, 0.0))
             }
-            Contact::Point => Ok((compute(GroundLoad::Point, 1.0)?, true)),
+            Contact::Point => Ok((compute(GroundLoad::Point, 1.0)?, 0.0)),
         }
     }
 }

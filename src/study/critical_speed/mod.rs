@@ -31,8 +31,8 @@ pub struct SpeedCurves {
     pub train: Option<SpeedCurve>,
     /// The first speed [m/s] at which an extreme lies at the end of the searched positions.
     pub long_wake: Option<f64>,
-    /// Speeds [m/s] at which a quadrature missed its tolerance.
-    pub missed: Vec<f64>,
+    /// Speeds [m/s] at which the accuracy was missed, and by what factor.
+    pub missed: Vec<(f64, f64)>,
 }
 
 impl SpeedCurves {
@@ -56,12 +56,12 @@ impl CriticalSpeed {
         let axle = train.heaviest_axle();
         let loads = if train.axles().len() > 1 { vec![&axle, train] } else { vec![&axle] };
         observer.begin("critical speed", self.speeds.len() as u64 + 3);
-        let at = |speed: f64| -> Result<(Vec<Extremes>, bool), StudyError> {
+        let at = |speed: f64| -> Result<(Vec<Extremes>, f64), StudyError> {
             let response = track.moving(speed, reach(train))?;
             observer.advance();
-            Ok((loads.iter().map(|load| Extremes::under(load, &response)).collect(), response.converged))
+            Ok((loads.iter().map(|load| Extremes::under(load, &response)).collect(), response.worst))
         };
-        let rows: Vec<(Vec<Extremes>, bool)> =
+        let rows: Vec<(Vec<Extremes>, f64)> =
             self.speeds.par_iter().map(|&speed| at(speed)).collect::<Result<_, _>>()?;
         let (rest, slow) = (at(0.0)?.0, at(SLOW)?.0);
         let mut curves = (0..loads.len())
@@ -81,7 +81,7 @@ impl CriticalSpeed {
         };
         let rows = || self.speeds.iter().copied().zip(&rows);
         let long_wake = rows().find(|(_, row)| row.0.last().is_some_and(|e| e.at_edge)).map(|(v, _)| v);
-        let missed = rows().filter(|(_, row)| !row.1).map(|(v, _)| v).collect();
+        let missed = rows().map(|(v, row)| (v, row.1)).filter(|(_, worst)| *worst > 1.0).collect();
         Ok(SpeedCurves { axle, train: curves.next(), long_wake, missed })
     }
 

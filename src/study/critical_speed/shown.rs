@@ -209,7 +209,7 @@ impl SpeedCurves {
                 "the ground is so lightly damped that its wake outlasts them: raise the loss factors, or read the values as lower bounds",
             ));
         }
-        concerns.extend(missed_accuracy(self.missed.iter().copied()));
+        concerns.extend(missed_accuracy(&self.missed));
         concerns
     }
 }

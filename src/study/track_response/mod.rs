@@ -45,8 +45,8 @@ pub struct TrackShapes {
     pub rail: Array2<f64>,
     /// Of the ground under the track [m], speeds × x.
     pub base: Array2<f64>,
-    /// Speeds [m/s] at which a quadrature missed its tolerance.
-    pub missed: Vec<f64>,
+    /// Speeds [m/s] at which the accuracy was missed, and by what factor.
+    pub missed: Vec<(f64, f64)>,
 }
 
 impl TrackShapes {
@@ -88,8 +88,8 @@ impl TrackResponse {
                     shapes.base[(row, i)] += axle.load * shape.base[i];
                 }
             }
-            if !response.converged {
-                shapes.missed.push(speed);
+            if !response.converged() {
+                shapes.missed.push((speed, response.worst));
             }
             observer.advance();
         }
