@@ -136,6 +136,14 @@ impl Railway {
         &self.support
     }
 
+    /// Name of the ground's solver, for people and attributes.
+    pub fn solver_name(&self) -> &'static str {
+        match &self.support {
+            Support::Ground(ground) => ground.solver.name(),
+            Support::Springs(_) => "none (springs)",
+        }
+    }
+
     /// The track without what it stands on; empty for loads straight on the ground.
     pub fn stack(&self) -> &Stack {
         &self.stack

@@ -1,5 +1,7 @@
 //! Files beside a case, and what keeps them from being read, in plain words.
 
+use crate::output::hdf5;
+use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
 
@@ -23,4 +25,14 @@ pub fn text(path: &Path) -> Result<String, String> {
         let line = 1 + bytes[..from].iter().filter(|byte| **byte == b'\n').count();
         format!("line {line} is not UTF-8 text (byte {:02X}): save the file as UTF-8", bytes[from])
     })
+}
+
+/// Case text and files stored in the `results.h5` at `path`.
+///
+/// # Errors
+/// No such file, or not one of this program.
+pub fn stored(path: &Path) -> Result<(String, BTreeMap<String, String>), String> {
+    let read = |name: &str| hdf5::read_text_attribute(path, name);
+    let files = serde_json::from_str(&read("case_files")?).map_err(|e| e.to_string())?;
+    Ok((read("case_text")?, files))
 }

@@ -2,10 +2,11 @@
 
 use super::error::{CaseError, Finding};
 use super::faults::{self, Read};
+use super::loader::Loader;
 use super::schema::{CaseInput, SoilInput};
 use super::train::Wheels;
 use super::values::Named;
-use super::{files, ground, library, plausible, roughness, studies, track, train};
+use super::{files, ground, plausible, roughness, studies, track, train};
 use crate::columns;
 use crate::concern::Concern;
 use crate::railway::{Contact, Ground, Railway, Support};
@@ -13,9 +14,8 @@ use crate::soil::{Profile, Solver};
 use crate::study::Study;
 use crate::track::Stack;
 use crate::vehicle::Train;
-use serde::de::DeserializeOwned;
 use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// A case ready to run.
@@ -41,134 +41,10 @@ pub struct Case {
     pub concerns: Vec<Concern>,
 }
 
-/// A table in full, by library name, or from a TOML file beside the case: the table, the path prefix of its keys,
-/// and the file they stand in.
-pub(super) struct Resolved<T> {
-    pub(super) table: T,
-    prefix: String,
-    name: String,
-    text: String,
-}
-
-impl<T> Resolved<T> {
-    /// Path of its key `rest`.
-    pub(super) fn at(&self, rest: &str) -> String {
-        match (self.prefix.as_str(), rest) {
-            (prefix, "") => prefix.to_owned(),
-            ("", rest) => rest.to_owned(),
-            (prefix, rest) => format!("{prefix}.{rest}"),
-        }
-    }
-
-    /// A `message` about its key `rest`.
-    pub(super) fn fault(&self, rest: &str, message: impl ToString) -> CaseError {
-        Finding::new(self.at(rest), message).at(&self.name, &self.text)
-    }
-
-    /// The same with advice.
-    pub(super) fn advise(&self, rest: &str, message: impl ToString, help: impl Into<String>) -> CaseError {
-        Finding::new(self.at(rest), message).help(help).at(&self.name, &self.text)
-    }
-}
-
-pub(super) struct Loader<'a> {
-    name: &'a str,
-    text: &'a str,
-    /// Reads a file beside the case.
-    open: &'a dyn Fn(&str) -> Result<String, String>,
-    files: RefCell<BTreeMap<String, String>>,
-    /// What every file beside the case that stands for a table stands for, its name and text.
-    tables: RefCell<Vec<(&'static str, String, String)>>,
-    references: RefCell<Vec<String>>,
-    /// Tables of the case that hold faults, or are meant by misspelt ones.
-    spoilt: BTreeSet<String>,
-    faults: RefCell<Vec<CaseError>>,
-}
-
 /// Ground or springs, and the solver to verify the ground with.
 type Carrier = (Support, Option<Solver>);
 
 impl Loader<'_> {
-    fn fault(&self, finding: Finding) -> CaseError {
-        finding.at(self.name, self.text)
-    }
-
-    /// What there is of `result`; its faults are kept.
-    fn keep<T>(&self, result: Result<T, CaseError>) -> Option<T> {
-        result.map_err(|fault| self.faults.borrow_mut().extend(fault.each())).ok()
-    }
-
-    /// Whether the case says nothing, not even something faulty, of the table `key`, which was not read.
-    fn lacks(&self, key: &str) -> bool {
-        !self.spoilt.contains(key)
-    }
-
-    fn file(&self, name: &str) -> Result<String, String> {
-        let text = (self.open)(name)?;
-        self.files.borrow_mut().insert(name.to_owned(), text.clone());
-        Ok(text)
-    }
-
-    pub(super) fn resolve<T: DeserializeOwned + Clone>(
-        &self,
-        named: &Named<T>,
-        key: &str,
-        kind: &str,
-    ) -> Result<Resolved<T>, CaseError> {
-        let wanted = match named {
-            Named::Table(table) => {
-                return Ok(Resolved {
-                    table: table.clone(),
-                    prefix: key.to_owned(),
-                    name: self.name.to_owned(),
-                    text: self.text.to_owned(),
-                });
-            }
-            Named::Name(wanted) => wanted,
-        };
-        let (name, text) = if wanted.ends_with(".toml") {
-            let text = self.file(wanted).map_err(|reason| {
-                self.fault(
-                    Finding::new(key, format!("cannot read \"{wanted}\": {reason}"))
-                        .help("the path is relative to the case file"),
-                )
-            })?;
-            (wanted.clone(), self.table(kind, wanted, text))
-        } else {
-            match library::find(kind, wanted, key) {
-                Ok(entry) => {
-                    let name = format!("library/{kind}/{wanted}.toml");
-                    self.files.borrow_mut().insert(name.clone(), entry.text.to_owned());
-                    let title = entry.text_of("title").unwrap_or_default();
-                    let source = entry.text_of("source").unwrap_or_default();
-                    self.references.borrow_mut().push(format!("{wanted}: {title}. {source}"));
-                    (name, entry.text.to_owned())
-                }
-                Err(mut finding) => {
-                    let beside = format!("{wanted}.toml");
-                    let text = self.file(&beside).map_err(|reason| {
-                        finding.message += &format!("; {beside} beside the case: {reason}");
-                        self.fault(finding)
-                    })?;
-                    (beside.clone(), self.table(kind, &beside, text))
-                }
-            }
-        };
-        let table = faults::whole(&text, &name)?;
-        Ok(Resolved { table, prefix: String::new(), name, text })
-    }
-
-    /// The `text` of the file `name` beside the case, remembered as a table of `kind`.
-    fn table(&self, kind: &str, name: &str, text: String) -> String {
-        let root = match kind {
-            "soils" => "soil",
-            "tracks" => "track",
-            _ => "train",
-        };
-        self.tables.borrow_mut().push((root, name.to_owned(), text.clone()));
-        text
-    }
-
     /// What is doubtful in the numbers of the case and of every file that stands for one of its tables; what cannot be is a
     /// fault, unless its key is refused already.
     fn review(&self, input: &CaseInput) -> Vec<Concern> {
@@ -302,7 +178,7 @@ impl Case {
             return Err(unreadable("it is a folder".into()));
         }
         if path.extension().is_some_and(|e| e == "h5") {
-            let (text, files) = super::runner::stored_case(path).map_err(unreadable)?;
+            let (text, files) = files::stored(path).map_err(unreadable)?;
             let open =
                 |name: &str| files.get(name).cloned().ok_or_else(|| "not stored in the results".to_owned());
             return Self::parse(&text, &path.display().to_string(), &open);

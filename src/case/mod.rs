@@ -9,6 +9,7 @@ mod ground;
 mod irregularity;
 pub mod library;
 mod load;
+mod loader;
 mod plausible;
 mod read;
 mod report;

@@ -8,14 +8,6 @@ use crate::railway::{Contact, Ground, Railway, Support};
 use crate::soil::{Base, Material};
 use crate::study::{Irregularity, Outcome, Study};
 
-/// Name of the ground's solver, for people and attributes.
-pub fn solver(railway: &Railway) -> &'static str {
-    match railway.support() {
-        Support::Ground(ground) => ground.solver.name(),
-        Support::Springs(_) => "none (springs)",
-    }
-}
-
 fn ground_table(railway: &Railway) -> Option<ReportTable> {
     let Ground { profile, .. } = railway.ground().ok()?;
     let row = |name: String, thickness: String, m: &Material| {

@@ -9,7 +9,6 @@ use crate::output::{OutputError, csv, hdf5, json, save};
 use crate::progress::Observer;
 use crate::study::{Answer, Outcome, StudyError};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
@@ -141,7 +140,7 @@ fn write(
         ("title".into(), case.title.clone().into()),
         ("program".into(), "groundwave".into()),
         ("version".into(), env!("CARGO_PKG_VERSION").into()),
-        ("solver".into(), report::solver(&case.railway).into()),
+        ("solver".into(), case.railway.solver_name().into()),
         ("case_text".into(), case.text.clone().into()),
         ("case_files".into(), serde_json::json!(case.files).to_string().into()),
         ("concerns".into(), serde_json::json!(concerns).to_string().into()),
@@ -198,11 +197,4 @@ fn summary(
     }
     root.insert("concerns".into(), serde_json::json!(concerns));
     root.into()
-}
-
-/// Case text and files stored in a `results.h5`.
-pub(super) fn stored_case(path: &Path) -> Result<(String, BTreeMap<String, String>), String> {
-    let read = |name: &str| hdf5::read_text_attribute(path, name);
-    let files = serde_json::from_str(&read("case_files")?).map_err(|e| e.to_string())?;
-    Ok((read("case_text")?, files))
 }

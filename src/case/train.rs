@@ -1,7 +1,7 @@
 //! `[train]` → axle loads, the bodies on them and their contact with the rail, with every fault at its key.
 
 use super::error::CaseError;
-use super::load::{Loader, Resolved};
+use super::loader::{Loader, Resolved};
 use super::schema::TrainInput;
 use super::values::Named;
 use crate::quantity::positive;

@@ -1,6 +1,6 @@
 //! Every study answered a second time by another solver, and what that leaves in each output.
 
-use super::{Case, report};
+use super::Case;
 use crate::concern::Concern;
 use crate::dataset::Attribute;
 use crate::output::ReportTable;
@@ -43,7 +43,7 @@ impl Verification {
         outcomes: &mut [(&'static str, Outcome)],
         observer: &dyn Observer,
     ) -> Self {
-        let (first, solver) = (report::solver(&case.railway), report::solver(witness));
+        let (first, solver) = (case.railway.solver_name(), witness.solver_name());
         let mut studies = Vec::new();
         for (study, (name, outcome)) in case.studies.iter().zip(outcomes) {
             let comparison = match study.run(witness, &Verifying(observer)) {
