@@ -9,14 +9,14 @@ use crate::soil::{Base, Elastic, Layer, Material, Profile, SoilError, Solver};
 const THINNEST: f64 = 1e-3;
 const SHEAR_SPEEDS: (f64, f64) = (5.0, 10_000.0);
 
-/// Elastic constants and damping of one material.
-fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
+/// The two elastic constants that are given.
+fn elastic(input: &MaterialInput, path: &str) -> Result<Elastic, Finding> {
     const PAIRS: &str =
         "give young and poisson, or shear_speed and pressure_speed, or shear_speed and poisson";
-    let elastic = match (input.young, input.poisson, input.shear_speed, input.pressure_speed) {
-        (Some(young), Some(poisson), None, None) => Elastic::YoungPoisson { young, poisson },
-        (None, None, Some(shear), Some(pressure)) => Elastic::Speeds { shear, pressure },
-        (None, Some(poisson), Some(shear), None) => Elastic::ShearPoisson { shear, poisson },
+    match (input.young, input.poisson, input.shear_speed, input.pressure_speed) {
+        (Some(young), Some(poisson), None, None) => Ok(Elastic::YoungPoisson { young, poisson }),
+        (None, None, Some(shear), Some(pressure)) => Ok(Elastic::Speeds { shear, pressure }),
+        (None, Some(poisson), Some(shear), None) => Ok(Elastic::ShearPoisson { shear, poisson }),
         _ => {
             let given: Vec<&str> = [
                 ("young", input.young),
@@ -29,9 +29,14 @@ fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
             .map(|(name, _)| *name)
             .collect();
             let found = if given.is_empty() { "none".to_owned() } else { given.join(", ") };
-            return Err(Finding::new(path, format!("elastic constants: found {found}")).help(PAIRS));
+            Err(Finding::new(path, format!("elastic constants: found {found}")).help(PAIRS))
         }
-    };
+    }
+}
+
+/// Elastic constants and damping of one material.
+fn material(input: &MaterialInput, path: &str) -> Result<Material, Finding> {
+    let elastic = elastic(input, path)?;
     let refused = |error: OutOfRange| {
         let fluid = error.value == 0.0 && matches!(error.key, "young" | "shear_speed");
         let finding = Finding::out_of_range(path, error);

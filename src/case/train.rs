@@ -178,6 +178,93 @@ fn named_vehicle(loader: &Loader, outer: &Place) -> Result<Option<Place>, CaseEr
     Ok(Some(inner))
 }
 
+/// Refuses a model without what it needs, or with what it has already.
+fn model_has_its_parts(
+    (model, model_at): (Option<VehicleModel>, &Place),
+    (mass, mass_at): (Option<f64>, &Place),
+    bodies: bool,
+) -> Result<(), CaseError> {
+    if let Some(mass) = mass {
+        above_zero(mass_at, "unsprung_mass", mass, "kg")?;
+    }
+    let several = model.filter(|m| *m != VehicleModel::Unsprung);
+    match (several, model, bodies, mass) {
+        (Some(model), _, false, _) => {
+            let message =
+                format!("the model \"{}\" needs body, bogie, wheelset, primary and secondary", model.name());
+            let help = "add them, or say model = \"unsprung\" with unsprung_mass";
+            Err(model_at.advise("model", message, help))
+        }
+        (Some(model), _, true, Some(_)) => {
+            let message =
+                format!("the model \"{}\" takes the mass of its wheelsets from wheelset.mass", model.name());
+            Err(mass_at.advise("unsprung_mass", message, "remove it, or say model = \"unsprung\""))
+        }
+        (None, Some(_), false, None) => {
+            let message = "the model \"unsprung\" needs unsprung_mass";
+            Err(model_at.advise("model", message, "add it [kg per wheelset]"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Vehicles of bodies at `offsets` [m], one behind the other.
+fn of_bodies(
+    four: &FourAxle,
+    (model, mass): (Option<VehicleModel>, Option<f64>),
+    offsets: Vec<f64>,
+    (outer, vehicle): (&Place, &Place),
+) -> Result<(Train, Multibody), CaseError> {
+    let Some(model) = model else {
+        let help = "add model = \"unsprung\", \"two\", \"four\", \"five\" or \"ten\"";
+        return Err(vehicle.advise("", "missing key `model`: which of the bodies move", help));
+    };
+    let span = four.body.bogie_centres + four.bogie.wheelbase;
+    if let Some(&length) = offsets.get(1).filter(|length| **length <= span) {
+        let place = if outer.table.length.is_some() { outer } else { vehicle };
+        let message = format!("length is {length} m, first and last axle of the vehicle {span} m apart");
+        return Err(place.advise("length", message, "it must be longer"));
+    }
+    // front and rear of a vehicle are alike: one that runs the other way is the same with its rear at −offset
+    let places: Vec<f64> = if outer.table.reversed {
+        offsets.iter().rev().map(|offset| -offset - span).collect()
+    } else {
+        offsets
+    };
+    let bodies =
+        model.of(four, mass).and_then(|one| one.row(&places)).map_err(|e| body_fault(vehicle, &e))?;
+    reasonable(bodies.axles(), vehicle, "body")?;
+    Ok((loads(bodies.axles().to_vec(), vehicle)?, bodies))
+}
+
+/// Vehicles of axle loads at `offsets` [m], one behind the other, with unsprung `mass` [kg] under each.
+fn of_axles(
+    mass: Option<f64>,
+    offsets: &[f64],
+    (outer, vehicle): (&Place, &Place),
+) -> Result<(Train, Option<Multibody>), CaseError> {
+    let Some(given) = &vehicle.table.axles else {
+        let message = "the train has neither axles nor a vehicle";
+        let help = "add axles = [{ position = 0.0, load = … }] or vehicle = \"…\"";
+        return Err(outer.advise("", message, help));
+    };
+    let sign = if outer.table.reversed { -1.0 } else { 1.0 };
+    let axles: Vec<Axle> = offsets
+        .iter()
+        .flat_map(|offset| {
+            given.iter().map(move |a| Axle { position: sign * (a.position + offset), load: a.load })
+        })
+        .collect();
+    reasonable(&axles, vehicle, "axles")?;
+    let train = loads(axles, vehicle)?;
+    let places: Vec<f64> = train.axles().iter().map(|a| a.position).collect();
+    let bodies = mass
+        .map(|mass| Multibody::unsprung(mass, train.heaviest_axle().total_load())?.row(&places))
+        .transpose()
+        .map_err(|e| body_fault(vehicle, &e))?;
+    Ok((train, bodies))
+}
+
 /// Axle loads of `[train]`, and what of it meets a rough rail. What a case says of `model`, `unsprung_mass` and `wheel_rail`
 /// stands over what its vehicle says.
 pub fn train(loader: &Loader, named: &Named<TrainInput>) -> Result<(Train, Wheels), CaseError> {
@@ -191,78 +278,15 @@ pub fn train(loader: &Loader, named: &Named<TrainInput>) -> Result<(Train, Wheel
         first(|t| t.wheel_rail.is_some()),
     );
     let (model, mass) = (model_at.table.model, mass_at.table.unsprung_mass);
-    if let Some(mass) = mass {
-        above_zero(mass_at, "unsprung_mass", mass, "kg")?;
-    }
     let four = four_axle(vehicle)?;
-    let several = model.filter(|m| *m != VehicleModel::Unsprung);
-    if let (Some(model), None) = (several, &four) {
-        let message =
-            format!("the model \"{}\" needs body, bogie, wheelset, primary and secondary", model.name());
-        return Err(model_at.advise(
-            "model",
-            message,
-            "add them, or say model = \"unsprung\" with unsprung_mass",
-        ));
-    }
-    if let (Some(model), Some(_)) = (several, mass) {
-        let message =
-            format!("the model \"{}\" takes the mass of its wheelsets from wheelset.mass", model.name());
-        return Err(mass_at.advise("unsprung_mass", message, "remove it, or say model = \"unsprung\""));
-    }
-    if let (Some(_), None, None) = (model, &four, mass) {
-        let message = "the model \"unsprung\" needs unsprung_mass";
-        return Err(model_at.advise("model", message, "add it [kg per wheelset]"));
-    }
+    model_has_its_parts((model, model_at), (mass, mass_at), four.is_some())?;
     let offsets = offsets(&outer, vehicle)?;
     let (train, bodies) = match four {
         Some(four) => {
-            let Some(model) = model else {
-                let help = "add model = \"unsprung\", \"two\", \"four\", \"five\" or \"ten\"";
-                return Err(vehicle.advise("", "missing key `model`: which of the bodies move", help));
-            };
-            let span = four.body.bogie_centres + four.bogie.wheelbase;
-            if let Some(&length) = offsets.get(1).filter(|length| **length <= span) {
-                let place = first(|t| t.length.is_some());
-                let message =
-                    format!("length is {length} m, first and last axle of the vehicle {span} m apart");
-                return Err(place.advise("length", message, "it must be longer"));
-            }
-            // front and rear of a vehicle are alike: one that runs the other way is the same with its rear at −offset
-            let places: Vec<f64> = if outer.table.reversed {
-                offsets.iter().rev().map(|offset| -offset - span).collect()
-            } else {
-                offsets
-            };
-            let bodies = model
-                .of(&four, mass)
-                .and_then(|one| one.row(&places))
-                .map_err(|e| body_fault(vehicle, &e))?;
-            reasonable(bodies.axles(), vehicle, "body")?;
-            (loads(bodies.axles().to_vec(), vehicle)?, Some(bodies))
+            let (train, bodies) = of_bodies(&four, (model, mass), offsets, (&outer, vehicle))?;
+            (train, Some(bodies))
         }
-        None => {
-            let Some(given) = &vehicle.table.axles else {
-                let message = "the train has neither axles nor a vehicle";
-                let help = "add axles = [{ position = 0.0, load = … }] or vehicle = \"…\"";
-                return Err(outer.advise("", message, help));
-            };
-            let sign = if outer.table.reversed { -1.0 } else { 1.0 };
-            let axles: Vec<Axle> = offsets
-                .iter()
-                .flat_map(|offset| {
-                    given.iter().map(move |a| Axle { position: sign * (a.position + offset), load: a.load })
-                })
-                .collect();
-            reasonable(&axles, vehicle, "axles")?;
-            let train = loads(axles, vehicle)?;
-            let places: Vec<f64> = train.axles().iter().map(|a| a.position).collect();
-            let bodies = mass
-                .map(|mass| Multibody::unsprung(mass, train.heaviest_axle().total_load())?.row(&places))
-                .transpose()
-                .map_err(|e| body_fault(vehicle, &e))?;
-            (train, bodies)
-        }
+        None => of_axles(mass, &offsets, (&outer, vehicle))?,
     };
     let contact = contact(contact_at, &train)?;
     match (&bodies, contact, mass) {
