@@ -977,6 +977,9 @@ fn concerns_are_fatal_under_strict() {
     assert_eq!(code(&lenient), 0);
     assert_eq!(names_in(&folder.path().join("out")), names_in(&folder.path().join("lenient")));
     assert!(String::from_utf8_lossy(&lenient.stdout).contains("maximum-at-end"));
+    // and no picture calls the end of the range the critical speed
+    let picture = std::fs::read_to_string(folder.path().join("lenient/critical_speed.svg")).unwrap();
+    assert!(picture.contains("largest downward") && !picture.contains("critical speed"), "{picture}");
 }
 
 #[cfg(unix)]

@@ -1,6 +1,6 @@
 //! Files beside a case, and what keeps them from being read, in plain words.
 
-use crate::output::hdf5;
+use crate::output::hdf5::read_text_attribute;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
@@ -32,7 +32,7 @@ pub fn text(path: &Path) -> Result<String, String> {
 /// # Errors
 /// No such file, or not one of this program.
 pub fn stored(path: &Path) -> Result<(String, BTreeMap<String, String>), String> {
-    let read = |name: &str| hdf5::read_text_attribute(path, name);
+    let read = |name: &str| read_text_attribute(path, name);
     let files = serde_json::from_str(&read("case_files")?).map_err(|e| e.to_string())?;
     Ok((read("case_text")?, files))
 }

@@ -29,6 +29,11 @@ impl Peak {
             speed_text(self.speed)
         }
     }
+
+    /// Its line in a picture, if the range holds it.
+    fn mark(&self, name: &str) -> Option<(f64, String)> {
+        (!self.at_end).then(|| (self.speed, format!("{name} {:.1} m/s", self.speed)))
+    }
 }
 
 impl SpeedCurves {
@@ -148,15 +153,15 @@ impl SpeedCurves {
             stroke,
         };
         let mm = |v: &[f64]| v.iter().map(|x| 1e3 * x).collect::<Vec<_>>();
-        let critical = (self.axle.peak.speed, format!("critical speed {:.1} m/s", self.axle.peak.speed));
-        let (deflections, amplifications, marks) = match &self.train {
+        let critical = self.axle.peak.mark("critical speed");
+        let (deflections, amplifications, marks): (_, _, Vec<(f64, String)>) = match &self.train {
             None => (
                 vec![
                     curve("largest downward", mm(&self.axle.down), Stroke::Solid),
                     curve("largest upward", mm(&self.axle.up), Stroke::Dashed),
                 ],
                 vec![curve("single axle", self.axle.amplification(), Stroke::Solid)],
-                vec![critical],
+                critical.into_iter().collect(),
             ),
             Some(train) => (
                 vec![
@@ -168,7 +173,7 @@ impl SpeedCurves {
                     curve("heaviest axle alone", self.axle.amplification(), Stroke::Solid),
                     curve("this train", train.amplification(), Stroke::Solid),
                 ],
-                vec![critical, (train.peak.speed, format!("train's largest {:.1} m/s", train.peak.speed))],
+                critical.into_iter().chain(train.peak.mark("train's largest")).collect(),
             ),
         };
         let figure = |name: &str, title: &str, y_label: &str, series, marks| {
