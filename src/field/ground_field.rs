@@ -185,9 +185,7 @@ impl GroundField<'_> {
         blend: f64,
         out: &mut [Vec<Complex64>],
     ) -> Result<(), SoilError> {
-        let force = self.force(beta_x);
-        let phases = self.phases(beta_x);
-        let omega = -beta_x * self.speed;
+        let (force, phases, omega) = (self.force(beta_x), self.phases(beta_x), -beta_x * self.speed);
         let corner = (PI / grid.x.step).hypot(PI / grid.y.step);
         // k ≥ |β_x| in this row
         let solver = self.solver.resolving((0.99 * beta_x.abs(), corner), FIELD_ACCURACY, None);
@@ -196,13 +194,11 @@ impl GroundField<'_> {
         let base = self.base().map(prepared).transpose()?;
         let top = self.top().map(prepared).transpose()?;
         let count = grid.y.period_count;
-        let vertical_only =
-            quantities.iter().all(|q| matches!(q, Quantity::Vertical | Quantity::VerticalVelocity));
+        let vertical_only = quantities.iter().all(|q| q.is_vertical());
         for m in 0..=count / 2 {
             let beta_y = grid.y.beta(m);
             // the origin itself: the mean over a small circle stands for it
-            let at_origin = beta_x == 0.0 && m == 0;
-            if at_origin {
+            if beta_x == 0.0 && m == 0 {
                 continue;
             }
             let k = beta_x.hypot(beta_y);
@@ -214,8 +210,8 @@ impl GroundField<'_> {
             let load = force * self.load.across(beta_y);
             for (i, &quantity) in quantities.iter().enumerate() {
                 // mirror in y: β_y → −β_y turns sin θ
+                let cos = beta_x / k;
                 for (index, sin) in [(m, beta_y / k), ((count - m) % count, -beta_y / k)] {
-                    let cos = beta_x / k;
                     let mut value = load * component(quantity, &g, cos, sin);
                     if let Some(far_g) = &far_g {
                         value -= phases * fade * component(quantity, far_g, cos, sin);
@@ -230,13 +226,13 @@ impl GroundField<'_> {
                 }
             }
         }
-        for (i, &quantity) in quantities.iter().enumerate() {
+        for (out, &quantity) in out.iter_mut().zip(quantities) {
             // odd in β_y: the Nyquist line has no partner
             if quantity == Quantity::Across {
-                out[i][count / 2] = Complex64::ZERO;
+                out[count / 2] = Complex64::ZERO;
             }
             if beta_x == 0.0 {
-                out[i][0] = self.origin(quantity, grid, blend)?;
+                out[0] = self.origin(quantity, grid, blend)?;
             }
         }
         Ok(())

@@ -33,6 +33,11 @@ impl Quantity {
             Self::Across => "u_y",
         }
     }
+
+    /// Whether u_zz alone answers it.
+    pub(super) fn is_vertical(self) -> bool {
+        matches!(self, Self::Vertical | Self::VerticalVelocity)
+    }
 }
 
 /// A rectangle of positions seen from the leading axle (x′ positive ahead).

@@ -6,15 +6,16 @@
 //!
 //! with R the receiver integral of the ground. It is the line at y through the contour around the load.
 
+use crate::foundation::FoundationError;
 use crate::math::complex::I;
-use crate::math::interpolation::Interpolant;
+use crate::math::interpolation::{Interpolant, NODES};
 use crate::math::quadrature::{Adaptive, Tolerance};
 use crate::rail::{BETA_MIN, InteractionError, TrackOnFoundation, Waves, panels, within};
-use crate::soil::{GroundSolver, Profile, SoilError, Solver, Strip};
+use crate::soil::{GroundSolver, Profile, Solver, Strip};
 use crate::vehicle::Axle;
 use num_complex::Complex64;
 use rayon::prelude::*;
-use std::cell::{Cell, RefCell};
+use std::cell::Cell;
 use std::f64::consts::PI;
 
 /// Wanted error relative to the largest displacement.
@@ -91,7 +92,6 @@ impl TrackOnFoundation<'_> {
     ) -> Result<Passage, InteractionError> {
         let spectrum = self.spectrum(speed)?;
         let (profile, solver) = ground;
-        let failure: RefCell<Option<SoilError>> = RefCell::default();
         let slowest = profile.slowest_rayleigh_speed();
         // waves of the slowest material decay like e^{−√(1 − v²/c²)βy}; faster loads reach as far as the track lets them
         let evanescent = (1.0 - (speed / slowest).powi(2)).max(0.0).sqrt() * (y - strip.half_width);
@@ -99,38 +99,27 @@ impl TrackOnFoundation<'_> {
         let beta_max = beta_max.min(spectrum.force_extent());
         let relative = |beta: f64| (0.3 * ACCURACY * (beta * evanescent).exp()).min(0.1);
         let converged = Cell::new(true);
-        let response = |beta: f64| {
-            if failure.borrow().is_some() {
-                return Complex64::ONE;
-            }
-            match solver.prepare(profile, -beta * speed, &[]) {
-                Ok(ground) => {
-                    let wanted = relative(beta);
-                    let estimate = ground.receiver(beta, strip.half_width, y, wanted);
-                    converged.set(converged.get() && within(&estimate, 10.0 * wanted));
-                    estimate.value
-                }
-                Err(error) => {
-                    failure.replace(Some(error));
-                    Complex64::ONE
-                }
-            }
+        let response = |beta: f64| -> Result<Complex64, FoundationError> {
+            let ground = solver.prepare(profile, -beta * speed, &[])?;
+            let wanted = relative(beta);
+            let estimate = ground.receiver(beta, strip.half_width, y, wanted);
+            converged.set(converged.get() && within(&estimate, 10.0 * wanted));
+            Ok(estimate.value)
         };
         // in ln β, where layers and waves have even widths; errors count against what is felt near the layers' wavenumbers
-        let size = response(0.3 * beta_max.min(1.0)).norm();
+        let size = response(0.3 * beta_max.min(1.0))?.norm();
         let ends: Vec<f64> =
             [BETA_MIN, 1e-3, 0.03, 0.3, 3.0].iter().copied().filter(|b| *b < 0.9 * beta_max).collect();
         let ends: Vec<f64> = ends.into_iter().chain([beta_max]).map(f64::ln).collect();
-        let table = Interpolant::new(
-            |nodes| nodes.map(|x| response(x.exp())),
-            &ends,
-            |_, value| {
-                if failure.borrow().is_some() { f64::INFINITY } else { ACCURACY * size.max(value.norm()) }
-            },
-        );
-        if let Some(error) = failure.borrow_mut().take() {
-            return Err(crate::foundation::FoundationError::from(error).into());
-        }
+        let responses = |nodes: &[f64; NODES]| -> Result<_, FoundationError> {
+            let mut values = [Complex64::ZERO; NODES];
+            for (x, value) in nodes.iter().zip(&mut values) {
+                *value = response(x.exp())?;
+            }
+            Ok(values)
+        };
+        let allowed = |_, value: Complex64| ACCURACY * size.max(value.norm());
+        let table = Interpolant::bounded(responses, &ends, allowed, || true)?;
         let mut integrand = |beta: f64| spectrum.force(beta) * table.at(beta.max(BETA_MIN).ln());
         let points = panels(beta_max, reach);
         let mut integral = Adaptive::new();

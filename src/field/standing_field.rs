@@ -12,7 +12,7 @@
 use super::transfer::Transfer;
 use crate::math::complex::I;
 use crate::math::interpolation::Interpolant;
-use crate::math::quadrature::{Adaptive, Node, Tolerance};
+use crate::math::quadrature::{Adaptive, Node, Tolerance, subdivided};
 use crate::rail::{InteractionError, TrackOnFoundation};
 use crate::soil::strip::sinc;
 use crate::soil::{PreparedGround, Strip};
@@ -133,6 +133,16 @@ impl Beside<'_> {
     }
 }
 
+/// Σ h cos(βx) over the `nodes` with their `rows` h(β; y), for every y.
+fn column(nodes: &[Node], rows: &[(Vec<Complex64>, f64)], x: f64) -> Vec<Complex64> {
+    let mut column = vec![Complex64::ZERO; rows.first().map_or(0, |row| row.0.len())];
+    for (node, (h, _)) in nodes.iter().zip(rows) {
+        let cos = (node.x * x).cos();
+        column.iter_mut().zip(h).for_each(|(sum, h)| *sum += h * cos);
+    }
+    column
+}
+
 impl TrackOnFoundation<'_> {
     /// Displacement of the ground's surface [m/N] at the positions `x` × `y` [m] around a standing unit force e^{iωt} on the rail
     /// at x = 0, y from the centre line of the track; under the track too. `ground` is prepared at `omega` ≠ 0; neither `x`
@@ -169,11 +179,7 @@ impl TrackOnFoundation<'_> {
         );
         // panels no wider than fifteen nodes can follow cos βx and the phase √(k² − β²) y
         let widest = 14.0 / (x_ends[1] + y_ends[1]).max(1.0);
-        let mut fine = vec![0.0];
-        for pair in points.windows(2) {
-            let parts = ((pair[1] - pair[0]) / widest).ceil().max(1.0);
-            fine.extend((1..=parts as usize).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / parts));
-        }
+        let fine = subdivided(&points, widest);
         // two real measures of scale, one complex integrand: neither row hides the other
         let mut integrand = |beta: f64| {
             let (h, _) = beside.at(beta, compliance.at(beta), &y_ends);
@@ -184,7 +190,6 @@ impl TrackOnFoundation<'_> {
         let max_count = MAX_COUNT + 30 * fine.len();
         let tolerance = Tolerance { relative: 0.5 * ACCURACY, absolute: 0.0, max_count };
         let estimate = integral.refine(&mut integrand, Complex64::ZERO, tolerance);
-
         // all rows at every node, times weight/π
         let nodes = integral.into_rule().0;
         let rows: Vec<(Vec<Complex64>, f64)> = nodes
@@ -196,18 +201,8 @@ impl TrackOnFoundation<'_> {
                 (h, error * weight.abs())
             })
             .collect();
-        let columns: Vec<Vec<Complex64>> = along
-            .distances
-            .par_iter()
-            .map(|x| {
-                let mut column = vec![Complex64::ZERO; across.distances.len()];
-                for (node, (h, _)) in nodes.iter().zip(&rows) {
-                    let cos = (node.x * x).cos();
-                    column.iter_mut().zip(h).for_each(|(sum, h)| *sum += h * cos);
-                }
-                column
-            })
-            .collect();
+        let columns: Vec<Vec<Complex64>> =
+            along.distances.par_iter().map(|x| column(&nodes, &rows, *x)).collect();
         let values =
             Array2::from_shape_fn((y.len(), x.len()), |(j, i)| columns[along.places[i]][across.places[j]]);
         let largest = values.iter().map(|u| u.norm()).fold(0.0, f64::max);

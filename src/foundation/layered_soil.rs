@@ -184,16 +184,8 @@ impl Foundation for LayeredSoil {
         let shared = self.solver.has_modes() && speed != 0.0;
         let shift = if shared { speed.abs().ln() } else { 0.0 };
         let (low, high) = (from.ln() + shift, to.ln() + shift);
-        let points = if shared {
-            self.pieces(low, high)
-        } else {
-            // four pieces to start with: static far field, layers, contact width, beyond
-            let middle = [0.01f64, 0.1, 1.0].iter().map(|b| b.ln());
-            let middle = middle.filter(|b| *b > low + 0.5 && *b < high - 0.5);
-            std::iter::once(low).chain(middle).chain([high]).collect()
-        };
-        let (mut missed, count) = (0.0f64, Cell::new(0));
-        let mut known = Known::default();
+        let points = if shared { self.pieces(low, high) } else { four_pieces(low, high) };
+        let (mut missed, count, mut known) = (0.0f64, Cell::new(0), Known::default());
         let (mut highest_asked, mut last) = (f64::NEG_INFINITY, Complex64::ONE);
         let compliances = |nodes: &[f64; NODES]| -> Result<[Complex64; NODES], SoilError> {
             let (band, highest) = if shared {
@@ -216,23 +208,15 @@ impl Foundation for LayeredSoil {
             for (x, value) in nodes.iter().zip(&mut values) {
                 let ground = self.prepare(omega(*x), wavenumbers, MOVING_ACCURACY, band)?;
                 let beta = (x - shift).exp();
-                // as well as its neighbours needed it, and once more where that was not enough: a tenth of the error allowed there
-                let mut relative = known.near(*x).unwrap_or(first);
-                loop {
-                    let estimate = ground.strip(beta, self.strip, relative);
-                    count.set(count.get() + estimate.count);
-                    let bearable = allowed(beta, 1.0 / estimate.value) / estimate.value.norm();
-                    let wanted = (0.1 * bearable).clamp(1e-8, loosest);
-                    *value = estimate.value;
-                    if wanted >= 0.1 * relative || !estimate.converged {
-                        if !estimate.converged {
-                            missed = missed.max(estimate.error / (relative * estimate.value.norm()));
-                        }
-                        known.insert(*x, wanted);
-                        break;
-                    }
-                    relative = wanted;
-                }
+                // as well as its neighbours needed it
+                let relative = known.near(*x).unwrap_or(first);
+                let felt = as_felt(ground.as_ref(), (beta, self.strip), relative, |value| {
+                    (0.1 * allowed(beta, 1.0 / value) / value.norm()).clamp(1e-8, loosest)
+                });
+                *value = felt.value;
+                missed = missed.max(felt.missed);
+                count.set(count.get() + felt.count);
+                known.insert(*x, felt.wanted);
             }
             if nodes[NODES - 1] > highest_asked {
                 (highest_asked, last) = (nodes[NODES - 1], values[NODES - 1]);
@@ -244,6 +228,46 @@ impl Foundation for LayeredSoil {
         let (worst, count) = (table.worst.max(missed), count.get());
         let stiffness = move |beta: f64| -> Complex64 { 1.0 / table.at(beta.ln() + shift) };
         Ok(Moving { stiffness: Box::new(stiffness), worst, count })
+    }
+}
+
+/// Pieces to start with, in ln β: static far field, layers, contact width, beyond.
+fn four_pieces(low: f64, high: f64) -> Vec<f64> {
+    let middle = [0.01f64, 0.1, 1.0].iter().map(|b| b.ln());
+    let middle = middle.filter(|b| *b > low + 0.5 && *b < high - 0.5);
+    std::iter::once(low).chain(middle).chain([high]).collect()
+}
+
+/// 1/k_eq as exactly as it is felt.
+struct Felt {
+    /// [m²/N]
+    value: Complex64,
+    /// The relative accuracy wanted.
+    wanted: f64,
+    /// Its error over that, if it missed it; else 0.
+    missed: f64,
+    /// Evaluations of the ground.
+    count: usize,
+}
+
+/// 1/k_eq to `relative`, and once more where less is `wanted` of its value: a tenth of the error allowed there.
+fn as_felt(
+    ground: &dyn PreparedGround,
+    (beta, strip): (f64, Strip),
+    mut relative: f64,
+    wanted: impl Fn(Complex64) -> f64,
+) -> Felt {
+    let mut count = 0;
+    loop {
+        let estimate = ground.strip(beta, strip, relative);
+        count += estimate.count;
+        let wanted = wanted(estimate.value);
+        if wanted >= 0.1 * relative || !estimate.converged {
+            let error = estimate.error / (relative * estimate.value.norm());
+            let missed = if estimate.converged { 0.0 } else { error };
+            return Felt { value: estimate.value, wanted, missed, count };
+        }
+        relative = wanted;
     }
 }
 

@@ -210,6 +210,16 @@ impl Adaptive {
     }
 }
 
+/// `points` with others between them, so that none are farther apart than `widest`.
+pub fn subdivided(points: &[f64], widest: f64) -> Vec<f64> {
+    let mut fine = points[..1].to_vec();
+    for pair in points.windows(2) {
+        let parts = ((pair[1] - pair[0]) / widest).ceil().max(1.0);
+        fine.extend((1..=parts as usize).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / parts));
+    }
+    fine
+}
+
 /// A settled integral: Σ `weight` · `value` is ∫ f dx.
 #[derive(Clone, Debug, Default)]
 pub struct Rule(pub Vec<Node>);

@@ -11,7 +11,7 @@
 use super::{Profile, half_space};
 use crate::math::bessel::modified_bessel;
 use crate::math::complex::I;
-use crate::math::quadrature::{Adaptive, Estimate, Node, Tolerance};
+use crate::math::quadrature::{Adaptive, Estimate, Node, Tolerance, subdivided};
 use crate::quantity::positive;
 use num_complex::Complex64;
 use schemars::JsonSchema;
@@ -310,18 +310,6 @@ fn first_top(outline: &Outline, beta: f64, kernel: &Kernel) -> f64 {
     top.min((2.0 * highest).max(2.0 * beta).max(2000.0 * period)).min(4000.0 * period)
 }
 
-/// `points` with no more than a period and a half of the kernel between them.
-fn within_periods(points: &[f64], period: f64) -> Vec<f64> {
-    let mut fine = points[..1].to_vec();
-    for pair in points.windows(2) {
-        let parts = ((pair[1] - pair[0]) / (1.5 * period)).ceil().max(1.0);
-        for i in 1..=parts as usize {
-            fine.push(pair[0] + (pair[1] - pair[0]) * i as f64 / parts);
-        }
-    }
-    fine
-}
-
 /// (1/π) ∫₀^∞ G(√(β² + q²)) C(q) dq, and the part of it that was integrated.
 fn integral(
     u_zz: &dyn Fn(f64) -> Complex64,
@@ -340,12 +328,13 @@ fn integral(
     };
     let known = (kernel.tail)((beta * beta + kappa0 * kappa0).sqrt(), coefficients) * PI;
 
-    let period = kernel.period;
+    // no more than a period and a half of the kernel in a panel
+    let (period, widest) = (kernel.period, 1.5 * kernel.period);
     let points = breakpoints(outline, beta, first_top(outline, beta, kernel));
     let mut top = points.last().copied().unwrap_or(0.0);
 
     let mut integral = Adaptive::new();
-    integral.add(&mut integrand, &within_periods(&points, period));
+    integral.add(&mut integrand, &subdivided(&points, widest));
     // beyond so many periods of the kernel the integral gives up and says so
     let farthest = 3000.0 * period;
     // beyond the top: one period at a time until the envelope |G − tail|·|C|·y/5 is negligible
@@ -362,7 +351,7 @@ fn integral(
                 break;
             }
             let next = top + period.max(0.25 * top).min(8.0 * period);
-            integral.add(&mut integrand, &within_periods(&[top, next], period));
+            integral.add(&mut integrand, &subdivided(&[top, next], widest));
             top = next;
         }
         estimate = integral.refine(&mut integrand, known, tolerance);

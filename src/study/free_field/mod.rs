@@ -150,6 +150,25 @@ struct Pass<'a> {
     passage_time: f64,
 }
 
+/// Integrals that missed their accuracy, and contact forces that could not be followed.
+fn missed(converged: bool, followed: bool) -> Vec<Concern> {
+    let integrals = || {
+        Concern::new(
+            "quadrature",
+            "some wavenumber integrals of the free field missed their accuracy (1e-3)",
+            "poles lie too close to the real axis (more damping helps), or the track spreads the load too little",
+        )
+    };
+    let forces = || {
+        Concern::new(
+            "contact-forces",
+            "contact forces between the frequencies asked are not known to 1 %, or a receptance of the rail missed 1e-4",
+            "a resonance of wheels on the track is very sharp: damping of pads, ballast or ground helps",
+        )
+    };
+    (!converged).then(integrals).into_iter().chain((!followed).then(forces)).collect()
+}
+
 impl FreeField {
     /// Third-octave r.m.s. velocities of the pass, quasi-static, dynamic and total; its histories, and what people make of them.
     ///
@@ -202,20 +221,7 @@ impl FreeField {
         let mut concerns = self.concerns(railway);
         concerns.extend(answer.concerns());
         concerns.extend(answer.contradictions()?);
-        if !converged {
-            concerns.push(Concern::new(
-                "quadrature",
-                "some wavenumber integrals of the free field missed their accuracy (1e-3)",
-                "poles lie too close to the real axis (more damping helps), or the track spreads the load too little",
-            ));
-        }
-        if !followed {
-            concerns.push(Concern::new(
-                "contact-forces",
-                "contact forces between the frequencies asked are not known to 1 %, or a receptance of the rail missed 1e-4",
-                "a resonance of wheels on the track is very sharp: damping of pads, ballast or ground helps",
-            ));
-        }
+        concerns.extend(missed(converged, followed));
         let velocities = answer.energies.velocities(passage_time)?;
         Ok(Outcome {
             group: answer.group(&velocities),

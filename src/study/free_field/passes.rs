@@ -3,7 +3,7 @@
 use super::{Irregularity, Pass, StudyError};
 use crate::contact::ContactForces;
 use crate::field::Sections;
-use crate::irregularity::Realisation;
+use crate::irregularity::{Component, Realisation};
 use crate::math::complex::I;
 use crate::math::fourier::{fast_size, from_half_spectrum};
 use crate::progress::Observer;
@@ -128,20 +128,13 @@ impl Pass<'_> {
         times: Times,
         observer: &dyn Observer,
     ) -> Vec<Array2<f64>> {
-        let speed = self.study.speed;
-        let receivers = self.study.receivers.len();
+        let (speed, receivers) = (self.study.speed, self.study.receivers.len());
         let components = profiles[0].components();
         let wheels: Vec<Vec<Complex64>> = components.par_iter().map(|c| forces.at(c.wavenumber)).collect();
         // ½ a e^{iθ}/v
-        let waves: Vec<Vec<Complex64>> = profiles
-            .iter()
-            .map(|p| {
-                let wave = |c: &crate::irregularity::Component| {
-                    Complex64::from_polar(0.5 * c.amplitude / speed, c.phase)
-                };
-                p.components().iter().map(wave).collect()
-            })
-            .collect();
+        let wave = |c: &Component| Complex64::from_polar(0.5 * c.amplitude / speed, c.phase);
+        let waves: Vec<Vec<Complex64>> =
+            profiles.iter().map(|p| p.components().iter().map(wave).collect()).collect();
         let highest = self.study.bands.iter().map(|band| band.upper()).fold(0.0, f64::max);
         let harmonics = (highest * times.period()).floor() as usize;
         observer.begin("dynamic", harmonics as u64);
