@@ -23,6 +23,7 @@
 //! | 2 | [`output`] | HDF5, CSV, JSON, pictures, report |
 //! | 3 | [`rail`] | how the rail of a track on its foundation answers loads that stand or move |
 //! | 4 | [`field`], [`contact`] | the ground beside the track; wheels and rails pressing on one another |
+//! | 5 | [`railway`] | ground or springs, track, train |
 //! | 5 | [`study`] | one folder per question: critical speed, dispersion, track response, contour, receptance, free field, tables |
 //! | 6 | [`case`](mod@case) | case files, their checks, the library of parameter sets, the runner |
 //!
