@@ -1,5 +1,6 @@
 //! The moving response over lightly damped ground against a dense quadrature that asks k_eq at every node.
 
+use crate::common::tracks::ballasted;
 use crate::draw::{Ground, Soil, log};
 use crate::track::{Track, track};
 use crate::{Verdict, ask, report, within};
@@ -7,7 +8,7 @@ use groundwave::foundation::LayeredSoil;
 use groundwave::math::quadrature::{Adaptive, Tolerance};
 use groundwave::rail::{MovingLoad, TrackOnFoundation};
 use groundwave::soil::{Base, Compatibility, Elastic, Layer, Material, Profile, Solver, Strip, off_axis};
-use groundwave::track::{Ballast, Ballasted, Link, Member, Sleeper, Stack};
+use groundwave::track::Stack;
 use num_complex::Complex64;
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -112,24 +113,11 @@ fn on_four_layers_that_hardly_damp() {
     ];
     let layers = layers.map(|(thickness, material)| Layer { thickness, material }).to_vec();
     let profile = Profile::new(layers, Base::HalfSpace(material(149.1, 0.38, 1775.0, 0.002))).unwrap();
-    let track = Ballasted {
-        rail: Member::beam(12.76e6, 120.46, 0.0).unwrap(),
-        pad: Link::spring(7e8, 3.84e4, 0.0).unwrap(),
-        sleeper: Sleeper { mass: 490.0 },
-        ballast: Ballast::Bars {
-            young: 1.4e8,
-            height: 0.35,
-            alpha: 0.5,
-            wave_speed: Some(333.0),
-            density: None,
-            poisson: None,
-            loss_factor: 0.0,
-        },
-    };
-    let (response, gap) = compared(&track.stack(Some(1.25)).unwrap(), &profile, 109.6).unwrap();
-    println!("{gap:e}, {} evaluations", response.count);
+    let (response, gap) = compared(&ballasted(), &profile, 109.6).unwrap();
+    println!("{gap:e}, {} evaluations, missed by {:e}", response.count, response.worst);
     // it would take 1e7 evaluations of the ground, is cut and says so; measured 3.03e6 and 1.4e-3, which
     // depends on where the cut falls (uncut: 4e-6; cut in the order of β: 1.1e-2)
     assert!(!response.converged() && response.count < 3_100_000, "{}", response.count);
-    assert!(gap < 5e-3, "{gap:e}");
+    // what it says of itself, in units of the 1e-5 it aims at, covers its error: measured 1.7e3, twelve times of it
+    assert!(gap < 1e-5 * response.worst && gap < 3e-3, "{gap:e} {:e}", response.worst);
 }

@@ -6,6 +6,8 @@
 //! `PROPTEST_CASES=5000 cargo test --release --test laws -- --nocapture` draws more and prints the worst value of each.
 
 mod agreement;
+#[path = "../common/mod.rs"]
+mod common;
 mod dispersion;
 mod draw;
 mod ground;
