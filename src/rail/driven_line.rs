@@ -4,6 +4,7 @@ use super::TrackOnFoundation;
 use super::harmonic_load::ACCURACY;
 use super::track_on_foundation::{BETA_MIN, Quiet};
 use crate::foundation::FoundationError;
+use crate::math::complex::reciprocal;
 use crate::math::interpolation::{Interpolant, NODES};
 use num_complex::Complex64;
 
@@ -23,7 +24,7 @@ pub(super) struct DrivenLine {
 impl DrivenLine {
     /// k [N/m²] at `beta` [rad/m]; beyond the table its last value, of which the rail feels nothing.
     pub(super) fn stiffness(&self, beta: f64) -> Complex64 {
-        1.0 / self.compliance.at((beta / self.unit).asinh())
+        reciprocal(self.compliance.at((beta / self.unit).asinh()))
     }
 }
 
@@ -64,7 +65,7 @@ impl TrackOnFoundation<'_> {
                 match failure.is_none().then(|| self.felt(beta, omega - beta * speed, accuracy)) {
                     Some(Ok((stiffness, good))) => {
                         converged &= good;
-                        1.0 / stiffness
+                        reciprocal(stiffness)
                     }
                     Some(Err(error)) => {
                         failure = Some(error);
@@ -74,10 +75,10 @@ impl TrackOnFoundation<'_> {
                 }
             })
         };
-        // reciprocity: δu_rail = q² δ(1/k), q = k u_base the force handed down; its share of the integral is ∝ |β| in ln |β|
+        // reciprocity: δu_rail = q² δ(1/k), q the force handed down; its share of the integral is ∝ |β| in ln |β|
         let compliance = Interpolant::new(compliances, &points, |x, compliance| {
-            let (beta, stiffness) = (unit * x.sinh(), 1.0 / compliance);
-            let q = stiffness * self.stack.respond(beta, omega - beta * speed, stiffness).base;
+            let (beta, stiffness) = (unit * x.sinh(), reciprocal(compliance));
+            let q = self.stack.respond(beta, omega - beta * speed, stiffness).force;
             table * sum / (q.norm_sqr() * beta.abs()).max(f64::MIN_POSITIVE)
         });
         match failure {
@@ -101,7 +102,7 @@ impl TrackOnFoundation<'_> {
             let u = self.stack.respond(beta, at, stiffness);
             sum += u.rail.norm() * beta * RATIO.ln();
             // what the foundation adds to the rail's deflection, q²/k: while it counts the foundation is asked again
-            let counts = u.base.norm_sqr() * stiffness.norm() * beta > 0.1 * ACCURACY * sum;
+            let counts = u.force.norm_sqr() / stiffness.norm() * beta > 0.1 * ACCURACY * sum;
             last = if counts { None } else { Some(stiffness) };
             if counts {
                 extent = RATIO * beta;

@@ -66,12 +66,12 @@ impl TrackOnFoundation<'_> {
     /// A foundation that cannot answer.
     pub fn spectrum(&self, speed: f64) -> Result<MovingSpectrum<'_>, InteractionError> {
         let Extent { end, felt, sum, bounded } = self.extent(speed)?;
-        // reciprocity: δu_rail = q² δ(1/k), q = k u_base the force handed down; its share of the integral is ∝ β in ln β
+        // reciprocity: δu_rail = q² δ(1/k), q the force handed down; its share of the integral is ∝ β in ln β
         let allowed = |beta: f64, stiffness: Complex64| {
             if beta > felt {
                 return f64::INFINITY;
             }
-            let q = stiffness * self.stack.respond(beta, -beta * speed, stiffness).base;
+            let q = self.stack.respond(beta, -beta * speed, stiffness).force;
             ACCURACY * sum / (q.norm_sqr() * beta).max(f64::MIN_POSITIVE)
         };
         let mut foundation = self.foundation.moving(speed, BETA_MIN, end, &allowed)?;
@@ -130,22 +130,17 @@ pub struct MovingSpectrum<'a> {
 }
 
 impl MovingSpectrum<'_> {
-    fn respond(&self, beta: f64) -> (Displacements, Complex64) {
+    /// Displacements per unit load [m per N/m], and the force handed down [1], at `beta` ≥ 0 [rad/m].
+    pub fn at(&self, beta: f64) -> Displacements {
         let stiffness = (self.foundation.stiffness)(beta.max(BETA_MIN));
         let load = sinc(beta * self.half_length);
         let u = self.stack.respond(beta, -beta * self.speed, stiffness);
-        (Displacements { rail: u.rail * load, base: u.base * load }, stiffness)
-    }
-
-    /// Displacements per unit load [m per N/m] at `beta` ≥ 0 [rad/m].
-    pub fn at(&self, beta: f64) -> Displacements {
-        self.respond(beta).0
+        Displacements { rail: u.rail * load, base: u.base * load, force: u.force * load }
     }
 
     /// q̃ = k_eq ũ_base: force handed to the ground per unit load [1], at `beta` ≥ 0 [rad/m]; 1 at β = 0.
     pub fn force(&self, beta: f64) -> Complex64 {
-        let (u, stiffness) = self.respond(beta);
-        u.base * stiffness
+        self.at(beta).force
     }
 
     /// The wavenumber [rad/m] beyond which less than 1e-3 of the load reaches the ground: the track spreads it.
