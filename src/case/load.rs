@@ -9,6 +9,7 @@ use super::values::Named;
 use super::{files, ground, plausible, roughness, studies, track, train};
 use crate::columns;
 use crate::concern::Concern;
+use crate::foundation::FoundationModel;
 use crate::railway::{Contact, Ground, Railway, Support};
 use crate::soil::{Profile, Solver};
 use crate::study::Study;
@@ -101,7 +102,17 @@ impl Loader<'_> {
         let resolved = self.keep(self.resolve(named, "track", "tracks"))?;
         let on_ground = input.foundation.is_none() && !self.spoilt.contains("foundation");
         let track = track::track(&resolved.table, &resolved.prefix, on_ground);
-        self.keep(track.map_err(|f| f.at(&resolved.name, &resolved.text)))
+        let track = self.keep(track.map_err(|f| f.at(&resolved.name, &resolved.text)))?;
+        let rock = input.foundation.as_ref().is_some_and(|f| *f.model() == FoundationModel::Rigid);
+        if rock && track.0.links().len() < track.0.members().len() {
+            let finding =
+                Finding::new("foundation.kind", "the lowest mass of the track lies on rock, and cannot move");
+            let finding = finding.help(
+                "kind = \"rigid\" carries springs: ballast.kind = \"spring\", \"bars\" or \"consistent-mass\"; or give a foundation of springs",
+            );
+            return self.keep(Err(self.fault(finding)));
+        }
+        Some(track)
     }
 
     /// The train, if there is one; none of both where it is faulty.

@@ -28,6 +28,11 @@ fn fault(error: TrackError, path: &str, at: impl Fn(&str) -> String) -> Finding 
         TrackError::ContactWidth => Finding::new(at("ballast"), error).help("add track.contact.half_width"),
         TrackError::WaveSpeedMissing => Finding::new(at("ballast"), error).help(SPEEDS),
         TrackError::WaveSpeedTwice => Finding::new(at("ballast.wave_speed"), error).help(SPEEDS),
+        TrackError::RailsMissing => Finding::new(path, error)
+            .help("add rails = 1 for one rail and its share of the track, or rails = 2 for the whole track"),
+        TrackError::Rails { .. } => Finding::new(at("rails"), error),
+        // of one frequency
+        TrackError::NoStatics { .. } | TrackError::Pushes { .. } => Finding::new(path, error),
     }
 }
 

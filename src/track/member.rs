@@ -28,19 +28,19 @@ pub struct Member {
 /// A beam along the track, as a case file says it.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Beam {
+pub struct Beam {
     /// EI [N m²]
-    bending_stiffness: f64,
+    pub bending_stiffness: f64,
     /// [kg/m]
-    mass: f64,
+    pub mass: f64,
     /// κGA [N]; with it a Timoshenko beam
-    shear_stiffness: Option<f64>,
+    pub shear_stiffness: Option<f64>,
     /// ρI [kg m]
     #[serde(default)]
-    rotary_inertia: f64,
+    pub rotary_inertia: f64,
     /// η of EI and κGA
     #[serde(default)]
-    loss_factor: f64,
+    pub loss_factor: f64,
 }
 
 impl TryFrom<Beam> for Member {
@@ -117,6 +117,26 @@ impl Member {
     /// A negative or non-finite mass.
     pub fn mass(mass: f64) -> Result<Self, TrackError> {
         Self::beam(0.0, mass, 0.0)
+    }
+
+    /// `count` such members side by side.
+    pub fn times(self, count: f64) -> Self {
+        Self {
+            bending_stiffness: count * self.bending_stiffness,
+            shear_compliance: self.shear_compliance / count,
+            rotary_inertia: count * self.rotary_inertia,
+            tension: self.tension.map(|tension| tension.times(count)),
+            mass: count * self.mass,
+            loss_factor: self.loss_factor,
+        }
+    }
+
+    /// Refuses `omega` [rad/s] at which its tension is no spring.
+    ///
+    /// # Errors
+    /// As [`Element::check`].
+    pub fn check(&self, omega: f64) -> Result<(), TrackError> {
+        self.tension.map_or(Ok(()), |tension| tension.check(omega))
     }
 
     /// The same member without dissipation.
