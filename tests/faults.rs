@@ -310,7 +310,9 @@ fn decimal_commas_and_brackets_are_explained() {
 
 /// A track on a foundation, with `track` and `foundation` as their keys say.
 fn on_springs(track: &str, foundation: &str) -> String {
-    format!("title = \"x\"\n[track]\n{track}\n[foundation]\n{foundation}\n[receptance]\nfrequencies = [10.0]\n")
+    format!(
+        "title = \"x\"\n[track]\n{track}\n[foundation]\n{foundation}\n[receptance]\nfrequencies = [10.0]\n"
+    )
 }
 
 const SECTION: &str = "kind = \"ballasted\"\nrails = 1\nrail.section = \"60E1\"\npad.stiffness = 3.5e8\npad.loss_factor = 0.15\n\
@@ -333,10 +335,12 @@ fn elements_sections_and_rock_are_read() {
     let two = stack(&on_springs(&SECTION.replace("rails = 1", "rails = 2"), ROCK));
     assert_eq!(two.members()[0], RailSection::E60.rail(0.0).unwrap().times(2.0));
     let zener = Element::Zener { stiffness: 3e8, second_stiffness: 2e8, damping: 3e5 };
-    let pads = SECTION.replace("pad.stiffness = 3.5e8\npad.loss_factor = 0.15", &format!("pad.element = {ZENER}"));
+    let pads =
+        SECTION.replace("pad.stiffness = 3.5e8\npad.loss_factor = 0.15", &format!("pad.element = {ZENER}"));
     assert_eq!(stack(&on_springs(&pads, ROCK)).links()[0], Link::Element(zener));
     // three layers, and an element under each foundation
-    let block = SECTION.replace("\"spring\"", "\"block\"").replace("rails = 1", "rails = 1\nballast.mass = 848.0");
+    let block =
+        SECTION.replace("\"spring\"", "\"block\"").replace("rails = 1", "rails = 1\nballast.mass = 848.0");
     for (kind, more) in [
         ("winkler", ""),
         ("filonenko-borodich", "tension = 2e7"),
@@ -357,16 +361,32 @@ fn elements_sections_and_rock_are_refused_at_their_keys() {
     let pad = |pad: &str| on_springs(&SECTION.replace("pad.stiffness = 3.5e8", pad), ROCK);
     for (text, key, said) in [
         (on_springs(beam, "kind = \"winkler\""), "foundation", "missing key `stiffness`"),
-        (on_springs(beam, "kind = \"kerr\"\nshear = 1e7\nupper_stiffness = 1e9"), "foundation", "`stiffness`"),
+        (
+            on_springs(beam, "kind = \"kerr\"\nshear = 1e7\nupper_stiffness = 1e9"),
+            "foundation",
+            "`stiffness`",
+        ),
         (on_springs(beam, "kind = \"winkler\"\nstifness = 1e8"), "foundation.stifness", "unknown key"),
         (on_springs(beam, "kind = \"winkler\"\nstiffness = -1e8"), "foundation.stiffness", "-100000000 N/m²"),
         (element("{ kind = \"zenner\", stiffness = 1e8 }"), "foundation.element.kind", "unknown value"),
-        (element("{ kind = \"zener\", stiffness = 1e8, damping = 1e5 }"), "foundation.element", "`second_stiffness`"),
-        (element("{ kind = \"maxwell\", stiffness = 1e8, damping = 0.0 }"), "foundation.element.damping", "above zero"),
+        (
+            element("{ kind = \"zener\", stiffness = 1e8, damping = 1e5 }"),
+            "foundation.element",
+            "`second_stiffness`",
+        ),
+        (
+            element("{ kind = \"maxwell\", stiffness = 1e8, damping = 0.0 }"),
+            "foundation.element.damping",
+            "above zero",
+        ),
         (element(&format!("{ZENER}\ndamping = 1e5")), "foundation.element", "remove"),
         (pad(&format!("pad.element = {ZENER}")), "track.pad.element", "remove"),
         (on_springs(beam, ROCK), "foundation.kind", "lies on rock"),
-        (on_springs(&SECTION.replace("\"spring\"", "\"block\"\nballast.mass = 9e2"), ROCK), "foundation.kind", "rock"),
+        (
+            on_springs(&SECTION.replace("\"spring\"", "\"block\"\nballast.mass = 9e2"), ROCK),
+            "foundation.kind",
+            "rock",
+        ),
         (on_springs(&beam.replace("54E1", "54E9"), winkler), "track.beam.section", "54E1"),
         (on_springs(&beam.replace("rails = 2", ""), winkler), "track", "number of rails"),
         (on_springs(&beam.replace("rails = 2", "rails = 3"), winkler), "track.rails", "3 rails"),

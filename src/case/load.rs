@@ -105,7 +105,8 @@ impl Loader<'_> {
         let track = self.keep(track.map_err(|f| f.at(&resolved.name, &resolved.text)))?;
         let rock = input.foundation.as_ref().is_some_and(|f| *f.model() == FoundationModel::Rigid);
         if rock && track.0.links().len() < track.0.members().len() {
-            let finding = Finding::new("foundation.kind", "the lowest mass of the track lies on rock, and cannot move");
+            let finding =
+                Finding::new("foundation.kind", "the lowest mass of the track lies on rock, and cannot move");
             let finding = finding.help(
                 "kind = \"rigid\" carries springs: ballast.kind = \"spring\", \"bars\" or \"consistent-mass\"; or give a foundation of springs",
             );

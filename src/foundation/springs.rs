@@ -154,8 +154,12 @@ mod tests {
     #[test]
     fn springs_that_creep_say_so() {
         let element = Element::Maxwell { stiffness: 1e8, damping: 1e5 };
-        let creeping = Springs::new(FoundationModel::Winkler(Winkler { springs: Link::Element(element) })).unwrap();
-        assert!(creeping.check(0.0).is_err_and(|e| e.to_string().contains("maxwell")) && creeping.check(1.0).is_ok());
+        let creeping =
+            Springs::new(FoundationModel::Winkler(Winkler { springs: Link::Element(element) })).unwrap();
+        assert!(
+            creeping.check(0.0).is_err_and(|e| e.to_string().contains("maxwell"))
+                && creeping.check(1.0).is_ok()
+        );
         assert!(Springs::winkler(1e8, 0.0, 0.1).unwrap().check(0.0).is_ok());
     }
 }

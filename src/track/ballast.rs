@@ -91,9 +91,7 @@ impl Ballast {
     /// The mass at its foot; None for the massless base.
     pub(super) fn foot(&self) -> Result<Option<Member>, TrackError> {
         match *self {
-            Self::Block { mass, .. } => {
-                Ok(Some(Member::mass(not_negative("ballast.mass", mass, "kg/m")?)?))
-            }
+            Self::Block { mass, .. } => Ok(Some(Member::mass(not_negative("ballast.mass", mass, "kg/m")?)?)),
             _ => Ok(None),
         }
     }

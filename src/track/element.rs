@@ -200,7 +200,8 @@ impl Element {
                 dashpot(second_damping) + in_series(stiffness.into(), dashpot(damping))
             }
             Self::CausalHysteretic { stiffness, loss_factor, reference_frequency } => {
-                let stiffened = 1.0 + FRAC_2_PI * loss_factor * (omega.abs() / (TAU * reference_frequency)).ln();
+                let stiffened =
+                    1.0 + FRAC_2_PI * loss_factor * (omega.abs() / (TAU * reference_frequency)).ln();
                 stiffness * (stiffened + I * loss_factor * sign(omega))
             }
         }

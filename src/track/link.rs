@@ -2,11 +2,11 @@
 
 use super::{Element, TrackError};
 use crate::math::complex::sign;
-use num_complex::Complex64;
 use crate::quantity::keyed;
+use num_complex::Complex64;
 use schemars::{JsonSchema, Schema};
-use serde::de::{Deserialize, Deserializer, Error};
 use serde::Deserialize as DeriveDeserialize;
+use serde::de::{Deserialize, Deserializer, Error};
 
 /// Stiffness of a link between an upper and a lower degree of freedom, [[upper, cross], [cross, lower]] [N/m²].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,7 +83,10 @@ pub struct Spring {
 }
 
 fn stiffness_or_element(schema: &mut Schema) {
-    schema.insert("oneOf".into(), serde_json::json!([{ "required": ["stiffness"] }, { "required": ["element"] }]));
+    schema.insert(
+        "oneOf".into(),
+        serde_json::json!([{ "required": ["stiffness"] }, { "required": ["element"] }]),
+    );
 }
 
 impl<'de> Deserialize<'de> for Link {

@@ -21,8 +21,8 @@ pub use stack::{Displacements, Stack};
 pub use supports::{Layout, Section, Supports};
 
 use crate::quantity::OutOfRange;
-use section::RailKeys;
 use schemars::JsonSchema;
+use section::RailKeys;
 use serde::Deserialize;
 use thiserror::Error;
 
@@ -51,9 +51,9 @@ impl Track {
     /// How many rails its numbers stand for: two, the whole track, unless it says one.
     pub fn rails(&self) -> Rails {
         match self {
-            Self::Ballasted(Ballasted { rails, .. }) | Self::Slab(Slab { rails, .. }) | Self::Beam { rails, .. } => {
-                rails.unwrap_or_default()
-            }
+            Self::Ballasted(Ballasted { rails, .. })
+            | Self::Slab(Slab { rails, .. })
+            | Self::Beam { rails, .. } => rails.unwrap_or_default(),
             Self::None => Rails::Two,
         }
     }

@@ -2,10 +2,10 @@
 
 use super::member::Beam;
 use super::{Member, TrackError};
+use crate::quantity::keyed;
 use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error};
-use crate::quantity::keyed;
 
 /// E [Pa], G [Pa] and ρ [kg/m³] of rail steel, and κ of a rail's section. Source: Thompson 2009, Table 3.1; κ also Lamprea-Pineda et al.
 /// 2022, Table 3.
@@ -58,7 +58,13 @@ impl Section {
     /// None of these sections.
     pub fn rail(self, loss_factor: f64) -> Result<Member, TrackError> {
         let ((area, second), (young, shear, density, kappa)) = (self.area(), STEEL);
-        Member::timoshenko(young * second, density * area, kappa * shear * area, density * second, loss_factor)
+        Member::timoshenko(
+            young * second,
+            density * area,
+            kappa * shear * area,
+            density * second,
+            loss_factor,
+        )
     }
 }
 

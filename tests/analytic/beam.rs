@@ -68,7 +68,9 @@ fn at_rest_on_every_foundation() {
         let kind = row["kind"].as_str().unwrap();
         let model = match kind {
             "winkler" => FoundationModel::Winkler(Winkler { springs }),
-            "filonenko-borodich" => FoundationModel::FilonenkoBorodich(FilonenkoBorodich { springs, tension }),
+            "filonenko-borodich" => {
+                FoundationModel::FilonenkoBorodich(FilonenkoBorodich { springs, tension })
+            }
             "hetenyi" => FoundationModel::Hetenyi(Hetenyi { springs, bending_stiffness }),
             "pasternak" => FoundationModel::Pasternak(Pasternak { springs, shear }),
             "kerr" => FoundationModel::Kerr(Kerr { springs, shear, upper_stiffness }),

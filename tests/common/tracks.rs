@@ -16,7 +16,9 @@ pub fn ballasted() -> Stack {
         poisson: None,
         loss_factor: 0.0,
     };
-    Ballasted { rails: None, rail: rail.into(), pad, sleeper: Sleeper { mass: 490.0 }, ballast }.stack(Some(1.25)).unwrap()
+    Ballasted { rails: None, rail: rail.into(), pad, sleeper: Sleeper { mass: 490.0 }, ballast }
+        .stack(Some(1.25))
+        .unwrap()
 }
 
 /// Application 2's slab track.

@@ -25,11 +25,17 @@ fn winkler((stiffness, damping, loss_factor, ..): Numbers) -> FoundationModel {
 }
 
 fn filonenko_borodich((stiffness, damping, loss_factor, tension, _): Numbers) -> FoundationModel {
-    FoundationModel::FilonenkoBorodich(FilonenkoBorodich { springs: springs_of(stiffness, damping, loss_factor), tension })
+    FoundationModel::FilonenkoBorodich(FilonenkoBorodich {
+        springs: springs_of(stiffness, damping, loss_factor),
+        tension,
+    })
 }
 
 fn hetenyi((stiffness, damping, loss_factor, bending_stiffness, _): Numbers) -> FoundationModel {
-    FoundationModel::Hetenyi(Hetenyi { springs: springs_of(stiffness, damping, loss_factor), bending_stiffness })
+    FoundationModel::Hetenyi(Hetenyi {
+        springs: springs_of(stiffness, damping, loss_factor),
+        bending_stiffness,
+    })
 }
 
 fn pasternak((stiffness, damping, loss_factor, shear, _): Numbers) -> FoundationModel {
@@ -37,7 +43,11 @@ fn pasternak((stiffness, damping, loss_factor, shear, _): Numbers) -> Foundation
 }
 
 fn kerr((stiffness, damping, loss_factor, shear, upper_stiffness): Numbers) -> FoundationModel {
-    FoundationModel::Kerr(Kerr { springs: springs_of(stiffness, damping, loss_factor), shear, upper_stiffness })
+    FoundationModel::Kerr(Kerr {
+        springs: springs_of(stiffness, damping, loss_factor),
+        shear,
+        upper_stiffness,
+    })
 }
 
 pub fn numbers() -> impl Strategy<Value = Numbers> {

@@ -66,7 +66,13 @@ impl Numbers {
     /// With the mass of the ballast [kg/m].
     fn ballasted(&self, ballast: Ballast, mass: f64) -> Track {
         let sleeper = Sleeper { mass: self.mass };
-        let track = Published::Ballasted(Ballasted { rails: None, rail: self.rail().into(), pad: self.pad(), sleeper, ballast });
+        let track = Published::Ballasted(Ballasted {
+            rails: None,
+            rail: self.rail().into(),
+            pad: self.pad(),
+            sleeper,
+            ballast,
+        });
         Track {
             stack: track.stack(Some(2.0)).unwrap(),
             mass: self.rail.1 + self.mass + mass,
