@@ -31,8 +31,10 @@ fn fault(error: TrackError, path: &str, at: impl Fn(&str) -> String) -> Finding 
         TrackError::RailsMissing => Finding::new(path, error)
             .help("add rails = 1 for one rail and its share of the track, or rails = 2 for the whole track"),
         TrackError::Rails { .. } => Finding::new(at("rails"), error),
-        // of one frequency
-        TrackError::NoStatics { .. } | TrackError::Pushes { .. } => Finding::new(path, error),
+        // of one frequency, of modes
+        TrackError::NoStatics { .. } | TrackError::Pushes { .. } | TrackError::Modes { .. } => {
+            Finding::new(path, error)
+        }
     }
 }
 

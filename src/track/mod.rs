@@ -2,6 +2,7 @@
 
 mod ballast;
 pub mod ballasted;
+mod damping;
 mod element;
 mod link;
 mod member;
@@ -12,6 +13,7 @@ mod supports;
 
 pub use ballast::Ballast;
 pub use ballasted::{Ballasted, Sleeper};
+pub use damping::{Caughey, Rayleigh};
 pub use element::Element;
 pub use link::{Link, LinkStiffness, Spring};
 pub use member::Member;
@@ -96,6 +98,16 @@ pub enum TrackError {
     /// A section, which is one rail, without their number.
     #[error("the number of rails is missing: a section is one rail")]
     RailsMissing,
+    /// Damping of modes that are not told apart, or of another number of modes.
+    #[error(
+        "found {modes} modes and {ratios} damping ratios: each mode has one, and no two have one frequency"
+    )]
+    Modes {
+        /// Frequencies given.
+        modes: usize,
+        /// Ratios given.
+        ratios: usize,
+    },
     /// Springs and dashpots that give way under any force that lasts.
     #[error("element \"{element}\" gives way under a force that lasts: it has no static stiffness")]
     NoStatics {
