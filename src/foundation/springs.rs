@@ -1,6 +1,6 @@
 //! Foundations of springs: whatever a stack of members and links on rigid rock says at its top.
 
-use super::{Foundation, FoundationError, FoundationModel, Moving, Stiffness, Winkler};
+use super::{Asked, Foundation, FoundationError, FoundationModel, Grain, Stiffness, Winkler};
 use crate::track::Stack;
 use num_complex::Complex64;
 use serde::Deserialize;
@@ -50,24 +50,13 @@ impl TryFrom<FoundationModel> for Springs {
 }
 
 impl Foundation for Springs {
-    fn stiffness_to(&self, beta: f64, omega: f64, _relative: f64) -> Result<Stiffness, FoundationError> {
-        Ok(Stiffness {
-            value: self.at((beta * beta).into(), omega),
-            relative_error: 0.0,
-            converged: true,
-            count: 0,
-        })
+    fn answer(&self, asked: Asked) -> Result<Stiffness, FoundationError> {
+        let value = self.at((asked.beta * asked.beta).into(), asked.omega);
+        Ok(Stiffness { value, relative_error: 0.0, converged: true, count: 0 })
     }
 
-    fn moving(
-        &self,
-        speed: f64,
-        _from: f64,
-        _to: f64,
-        _allowed: &dyn Fn(f64, Complex64) -> f64,
-    ) -> Result<Moving<'_>, FoundationError> {
-        let along = move |beta: f64| self.at((beta * beta).into(), -beta * speed);
-        Ok(Moving { stiffness: Box::new(along), worst: 0.0, count: 0 })
+    fn grain(&self) -> Grain {
+        Grain::Formula
     }
 }
 

@@ -1,15 +1,20 @@
 //! How the rail of a track on its foundation answers loads that stand or move.
 
-mod driven_line;
+mod beam_waves;
+mod drive;
 mod harmonic_load;
 mod moving_load;
+mod receptance;
 mod track_on_foundation;
 mod waves;
 
+pub use beam_waves::BeamWaves;
+pub use drive::Drive;
 pub use harmonic_load::HarmonicLoad;
 pub(crate) use harmonic_load::{NEGLIGIBLE, decay, within};
 pub(crate) use moving_load::panels;
 pub use moving_load::{MovingLoad, MovingSpectrum, Shape};
+pub use receptance::{Answer, Method, Moving, RailError, Receptance};
 pub(crate) use track_on_foundation::{BETA_CAP, BETA_MIN};
 pub use track_on_foundation::{InteractionError, TrackOnFoundation};
 pub(crate) use waves::Waves;

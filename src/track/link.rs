@@ -1,8 +1,7 @@
 //! What joins one member to the next: springs, bars with wave motion, springs with consistent mass.
 
-use super::TrackError;
+use super::{Element, TrackError};
 use crate::math::complex::sign;
-use crate::quantity::{not_negative, positive};
 use num_complex::Complex64;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -20,16 +19,19 @@ pub struct LinkStiffness {
 
 impl LinkStiffness {
     /// r = −cross/(lower + K): displacement of the lower side per displacement of the upper one, where the lower side stands on
-    /// `below` = K.
+    /// `below` = K, infinite for rock.
     #[inline]
     pub(super) fn carried(&self, below: Complex64) -> Complex64 {
-        -self.cross / (self.lower + below)
+        if below.re == f64::INFINITY { Complex64::ZERO } else { -self.cross / (self.lower + below) }
     }
 
     /// upper + r cross, the stiffness seen from the upper side, as (upper + cross) + r (lower + cross + K): no difference of stiff
     /// springs.
     #[inline]
     pub(super) fn seen_above(&self, below: Complex64, carried: Complex64) -> Complex64 {
+        if below.re == f64::INFINITY {
+            return self.upper;
+        }
         (self.upper + self.cross) + carried * (self.lower + self.cross + below)
     }
 }
@@ -38,15 +40,8 @@ impl LinkStiffness {
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
 #[serde(try_from = "Spring")]
 pub enum Link {
-    /// k(1 + iη sgn ω) + iωc: rail pads.
-    Spring {
-        /// k [N/m²]
-        stiffness: f64,
-        /// c [N s/m²]
-        damping: f64,
-        /// η
-        loss_factor: f64,
-    },
+    /// Springs and dashpots without mass: rail pads.
+    Element(Element),
     /// Vertical bars under the sleepers, with compression waves (A.2): ballast of Alves Costa et al.
     Bars {
         /// 2αb E_b [N]: area per metre times modulus.
@@ -99,17 +94,14 @@ impl Link {
     /// # Errors
     /// A stiffness that is not positive, negative damping.
     pub fn spring(stiffness: f64, damping: f64, loss_factor: f64) -> Result<Self, TrackError> {
-        Ok(Self::Spring {
-            stiffness: positive("stiffness", stiffness, "N/m²")?,
-            damping: not_negative("damping", damping, "N s/m²")?,
-            loss_factor: not_negative("loss_factor", loss_factor, "")?,
-        })
+        Ok(Self::Element(Element::spring(stiffness, damping, loss_factor)?))
     }
 
     /// The same link without dissipation.
     pub fn undamped(mut self) -> Self {
         match &mut self {
-            Self::Spring { damping, loss_factor, .. } | Self::ConsistentMass { damping, loss_factor, .. } => {
+            Self::Element(element) => *element = element.undamped(),
+            Self::ConsistentMass { damping, loss_factor, .. } => {
                 (*damping, *loss_factor) = (0.0, 0.0);
             }
             Self::Bars { loss_factor, .. } => *loss_factor = 0.0,
@@ -124,8 +116,8 @@ impl Link {
     pub fn stiffness(&self, omega: f64) -> LinkStiffness {
         let damped = |k: f64, c: f64, eta: f64| Complex64::new(k, k * eta * sign(omega) + omega * c);
         match *self {
-            Self::Spring { stiffness, damping, loss_factor } => {
-                let k = damped(stiffness, damping, loss_factor);
+            Self::Element(element) => {
+                let k = element.stiffness(omega);
                 LinkStiffness { upper: k, cross: -k, lower: k }
             }
             Self::Bars { axial_stiffness, height, wave_speed, loss_factor } => {

@@ -1,20 +1,27 @@
 //! What lies along the track: beams, strings and continuous masses.
 
-use super::TrackError;
-use crate::math::complex::sign;
+use super::{Element, TrackError};
+use crate::math::complex::{I, sign};
 use crate::quantity::{not_negative, positive};
 use num_complex::Complex64;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// A member per metre of track that resists bending, as an Euler–Bernoulli beam, or a difference of slope, as a string or a shear
-/// layer does, or both; with neither a plain continuous mass (sleepers).
+/// A member per metre of track that resists bending, as an Euler–Bernoulli or a Timoshenko beam, or a difference of displacement, as
+/// a string or a shear layer does, or both; with neither a plain continuous mass (sleepers).
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
 #[serde(try_from = "Beam")]
 pub struct Member {
+    /// EI [N m²]
     bending_stiffness: f64,
-    tension: f64,
+    /// 1/κGA [1/N]; 0 for Euler–Bernoulli beams.
+    shear_compliance: f64,
+    /// ρI [kg m]
+    rotary_inertia: f64,
+    /// N(ω) [N]
+    tension: Option<Element>,
     mass: f64,
+    /// η of EI and κGA.
     loss_factor: f64,
 }
 
@@ -26,7 +33,12 @@ pub(super) struct Beam {
     bending_stiffness: f64,
     /// [kg/m]
     mass: f64,
-    /// η of EI
+    /// κGA [N]; with it a Timoshenko beam
+    shear_stiffness: Option<f64>,
+    /// ρI [kg m]
+    #[serde(default)]
+    rotary_inertia: f64,
+    /// η of EI and κGA
     #[serde(default)]
     loss_factor: f64,
 }
@@ -37,7 +49,14 @@ impl TryFrom<Beam> for Member {
     fn try_from(beam: Beam) -> Result<Self, TrackError> {
         // a member without is a mass, a beam must bend
         positive("bending_stiffness", beam.bending_stiffness, "N m²")?;
-        Self::beam(beam.bending_stiffness, beam.mass, beam.loss_factor)
+        let Beam { bending_stiffness, mass, shear_stiffness, rotary_inertia, loss_factor } = beam;
+        match shear_stiffness {
+            Some(shear) => Self::timoshenko(bending_stiffness, mass, shear, rotary_inertia, loss_factor),
+            None => {
+                let rotary_inertia = not_negative("rotary_inertia", rotary_inertia, "kg m")?;
+                Ok(Self { rotary_inertia, ..Self::beam(bending_stiffness, mass, loss_factor)? })
+            }
+        }
     }
 }
 
@@ -49,19 +68,47 @@ impl Member {
     pub fn beam(bending_stiffness: f64, mass: f64, loss_factor: f64) -> Result<Self, TrackError> {
         Ok(Self {
             bending_stiffness: not_negative("bending_stiffness", bending_stiffness, "N m²")?,
-            tension: 0.0,
+            shear_compliance: 0.0,
+            rotary_inertia: 0.0,
+            tension: None,
             mass: not_negative("mass", mass, "kg/m")?,
             loss_factor: not_negative("loss_factor", loss_factor, "")?,
         })
     }
 
-    /// A string under `tension` N [N], or a layer of shear stiffness N that cannot bend, with `mass` [kg/m].
+    /// A Timoshenko beam: as [`Self::beam`], with κGA = `shear_stiffness` [N], to which η belongs too, and ρI = `rotary_inertia`
+    /// [kg m].
+    ///
+    /// # Errors
+    /// Anything negative or not finite, no shear stiffness.
+    pub fn timoshenko(
+        bending_stiffness: f64,
+        mass: f64,
+        shear_stiffness: f64,
+        rotary_inertia: f64,
+        loss_factor: f64,
+    ) -> Result<Self, TrackError> {
+        Ok(Self {
+            shear_compliance: 1.0 / positive("shear_stiffness", shear_stiffness, "N")?,
+            rotary_inertia: not_negative("rotary_inertia", rotary_inertia, "kg m")?,
+            ..Self::beam(bending_stiffness, mass, loss_factor)?
+        })
+    }
+
+    /// A string under `tension` N [N], or a layer of shear stiffness N that cannot bend, with `mass` [kg/m]. Of masses in a row,
+    /// each joined to the next by a spring, it is the spring [N/m], β² then 2(1 − cos βL).
     ///
     /// # Errors
     /// Anything negative or not finite.
     pub fn string(tension: f64, mass: f64) -> Result<Self, TrackError> {
         let tension = not_negative("tension", tension, "N")?;
-        Ok(Self { tension, ..Self::mass(mass)? })
+        let element = Element::Spring { stiffness: tension, damping: 0.0, loss_factor: 0.0 };
+        Ok(if tension > 0.0 { Self::mass(mass)?.joined(element) } else { Self::mass(mass)? })
+    }
+
+    /// The same member under the tension of `element` [N].
+    pub fn joined(self, element: Element) -> Self {
+        Self { tension: Some(element), ..self }
     }
 
     /// A continuous `mass` [kg/m] that neither bends nor shears.
@@ -74,19 +121,59 @@ impl Member {
 
     /// The same member without dissipation.
     pub fn undamped(self) -> Self {
-        Self { loss_factor: 0.0, ..self }
+        Self { loss_factor: 0.0, tension: self.tension.map(Element::undamped), ..self }
     }
 
     /// Neither bends nor shears: a mass.
     pub(super) fn is_mass(&self) -> bool {
-        self.bending_stiffness == 0.0 && self.tension == 0.0
+        self.bending_stiffness == 0.0 && self.tension.is_none()
     }
 
-    /// EI(1 + iη sgn ω)β⁴ + Nβ² − ω²m [N/m²] at `beta2` = β² [rad²/m²], which may be complex. Source: Eqs (3), (13), (23).
+    /// Whether neighbours feel one another through it: β² matters.
+    pub fn joins(&self) -> bool {
+        !self.is_mass()
+    }
+
+    /// EI(1 + iη sgn ω) [N m²] and (1 + iη sgn ω)⁻¹/κGA [1/N].
+    fn moduli(&self, omega: f64) -> (Complex64, Complex64) {
+        let loss = Complex64::new(1.0, self.loss_factor * sign(omega));
+        (self.bending_stiffness * loss, self.shear_compliance / loss)
+    }
+
+    fn tension(&self, omega: f64) -> Complex64 {
+        self.tension.map_or(Complex64::ZERO, |tension| tension.stiffness(omega))
+    }
+
+    /// bβ²/(1 + b/κGA) + Nβ² − ω²m [N/m²], b = EIβ² − ρIω², at `beta2` = β² [rad²/m²], which may be complex: EIβ⁴ + Nβ² − ω²m of
+    /// an Euler–Bernoulli beam. Source: Eqs (3), (13), (16) corrected, (23), (91).
     #[inline]
     pub fn stiffness(&self, beta2: Complex64, omega: f64) -> Complex64 {
-        let bending = self.bending_stiffness * Complex64::new(1.0, self.loss_factor * sign(omega));
-        (bending * beta2 + self.tension) * beta2 - omega * omega * self.mass
+        let (bending, shear) = self.moduli(omega);
+        let b = bending * beta2 - omega * omega * self.rotary_inertia;
+        (b / (1.0 + b * shear) + self.tension(omega)) * beta2 - omega * omega * self.mass
+    }
+
+    /// Numerator n₀ + n₁X and denominator d₀ + d₁X + d₂X² in X = β² of ũ = 1/(`stiffness` + K) on springs of K = `support` [N/m²].
+    ///
+    /// n = 1 + b/κGA, d = (NX + K − ω²m) n + bX, b = EI X − ρIω².
+    pub fn rational(&self, omega: f64, support: Complex64) -> ([Complex64; 2], [Complex64; 3]) {
+        let (bending, shear) = self.moduli(omega);
+        let (inertia, tension) = (omega * omega * self.rotary_inertia, self.tension(omega));
+        let n = [1.0 - shear * inertia, shear * bending];
+        let rest = support - omega * omega * self.mass;
+        (n, [rest * n[0], rest * n[1] + tension * n[0] - inertia, tension * n[1] + bending])
+    }
+
+    /// What a wave e^{iβx} of unit displacement carries at `beta` [rad/m], which may be complex: rotation φ [rad/m], force −Q [N/m] and
+    /// moment −M [N] of the left part on the right one.
+    ///
+    /// φ = iβ/(1 + b/κGA), −Q = −iβ b/(1 + b/κGA) (and −iβN), −M = −EI iβφ, b = EIβ² − ρIω².
+    pub fn carried(&self, beta: Complex64, omega: f64) -> [Complex64; 3] {
+        let (bending, shear) = self.moduli(omega);
+        let b = bending * beta * beta - omega * omega * self.rotary_inertia;
+        let slope = I * beta;
+        let rotation = slope / (1.0 + b * shear);
+        [rotation, -(rotation * b + slope * self.tension(omega)), -bending * slope * rotation]
     }
 }
 
@@ -98,7 +185,7 @@ mod tests {
     fn waves_are_roots_in_complex_beta() {
         // (EI β² + N) β² = ω²m: one wave travels, the other decays; measured 1e-16
         let (ei, n, m, omega) = (1.3e7, 2e6, 120.0, 90.0f64);
-        let prestressed = Member { tension: n, ..Member::beam(ei, m, 0.0).unwrap() };
+        let prestressed = Member::beam(ei, m, 0.0).unwrap().joined(Element::spring(n, 0.0, 0.0).unwrap());
         let root = (n * n + 4.0 * ei * m * omega * omega).sqrt();
         for beta2 in [(root - n) / (2.0 * ei), -(root + n) / (2.0 * ei)] {
             let rest = prestressed.stiffness(beta2.into(), omega);

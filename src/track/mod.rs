@@ -2,17 +2,21 @@
 
 mod ballast;
 pub mod ballasted;
+mod element;
 mod link;
 mod member;
 pub mod slab;
 mod stack;
+mod supports;
 
 pub use ballast::Ballast;
 pub use ballasted::{Ballasted, Sleeper};
+pub use element::Element;
 pub use link::{Link, LinkStiffness};
 pub use member::Member;
 pub use slab::Slab;
 pub use stack::{Displacements, Stack};
+pub use supports::{Layout, Section, Supports};
 
 use crate::quantity::OutOfRange;
 use member::Beam;

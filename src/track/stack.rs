@@ -34,6 +34,16 @@ impl Stack {
         Self { members, links }
     }
 
+    /// Members from the rail downward.
+    pub fn members(&self) -> &[Member] {
+        &self.members
+    }
+
+    /// Links from the rail downward.
+    pub fn links(&self) -> &[Link] {
+        &self.links
+    }
+
     /// True without members: a load straight on what carries it.
     pub fn is_empty(&self) -> bool {
         self.members.is_empty()
@@ -47,7 +57,7 @@ impl Stack {
     }
 
     /// Steady response at `beta2` = β² [rad²/m²], real or complex, and `omega` [rad/s] on a foundation of stiffness `foundation`
-    /// [N/m²].
+    /// [N/m²], infinite for rock.
     ///
     /// Eliminated from below, like springs in series. With r = −cross/(lower + K) the lower displacement per upper one,
     /// K ← member + (upper + cross) + r (lower + cross + K): what a link's ends do not share is its inertia alone, so that nothing
