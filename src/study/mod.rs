@@ -17,7 +17,7 @@ pub use contour::{Contour, GroundMaps};
 pub use critical_speed::{CriticalSpeed, Hump, Peak, Plateau, SpeedCurve, SpeedCurves};
 pub use dispersion::{Crossing, Dispersion, DispersionCurves};
 pub use equivalent_stiffness::{EquivalentStiffness, StiffnessTable};
-pub use free_field::{Carrier, FreeField, Irregularity, Roughness};
+pub use free_field::{Carrier, FreeField, Irregularity, PassVelocities, Roughness};
 pub use receptance::{Receptance, ReceptanceMap, Receptances, Surface};
 pub use surface_compliance::{Compliances, SurfaceComplianceTable};
 pub use track_response::{Record, TrackResponse, TrackShapes, same_speed, tag};
