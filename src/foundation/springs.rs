@@ -1,7 +1,7 @@
 //! Foundations of springs: whatever a stack of members and links on rigid rock says at its top.
 
 use super::{Asked, Foundation, FoundationError, FoundationModel, Grain, Stiffness, Winkler};
-use crate::track::{Link, Stack};
+use crate::track::{Link, Member, Stack};
 use num_complex::Complex64;
 use serde::Deserialize;
 
@@ -41,6 +41,11 @@ impl Springs {
         &self.stack
     }
 
+    /// Whether neighbours feel one another: k depends on β.
+    pub fn joined(&self) -> bool {
+        self.stack.members().iter().any(Member::joins)
+    }
+
     /// k(β, ω) [N/m²], exact, infinite for rock; `beta2` = β² may be complex.
     pub fn at(&self, beta2: Complex64, omega: f64) -> Complex64 {
         self.stack.on_rock(beta2, omega)
@@ -75,7 +80,7 @@ mod tests {
     use super::super::{FilonenkoBorodich, Hetenyi, Kerr, Pasternak};
     use super::*;
     use crate::math::complex::{I, sign};
-    use crate::track::{Element, Member};
+    use crate::track::Element;
 
     #[test]
     fn stacks_are_the_closed_forms() {
