@@ -1,9 +1,10 @@
 //! A railway: what carries it, the layers of its track, its train.
 
-use crate::foundation::{Foundation, FoundationError, LayeredSoil, Springs};
-use crate::rail::TrackOnFoundation;
+use crate::foundation::{Foundation, FoundationError, Grain, LayeredSoil, Springs};
+use crate::rail::periodic::{Floquet, Undamped};
+use crate::rail::{Landmark, Method, RailError, Receptance, TrackOnFoundation, methods};
 use crate::soil::{Compatibility, Profile, Solver, Strip};
-use crate::track::{Layout, Stack};
+use crate::track::{Layout, Stack, Supports};
 use crate::vehicle::Train;
 use thiserror::Error;
 
@@ -218,6 +219,52 @@ impl Railway {
         Ok(TrackOnFoundation::new(stack, self.foundation()?, half_length))
     }
 
+    /// `wanted`, or the best method for a standing force on its rail.
+    ///
+    /// # Errors
+    /// No foundation.
+    pub fn method(&self, wanted: Option<Method>) -> Result<Method, RailwayError> {
+        Ok(wanted.unwrap_or(Method::standing(&self.layout, self.foundation()?)))
+    }
+
+    /// How its rail answers a standing force, by `method`.
+    ///
+    /// # Errors
+    /// No track, no foundation, a method that does not know them.
+    pub fn receptance(&self, method: Method) -> Result<Box<dyn Receptance + '_>, RailwayError> {
+        let foundation = self.foundation()?;
+        if method == Method::Adaptive && foundation.grain() != Grain::Formula && self.stack().is_ok() {
+            // patches of load straight on the ground too
+            return Ok(Box::new(self.track()?));
+        }
+        if self.is_bare() {
+            return Err(RailwayError::NoTrack);
+        }
+        Ok(methods::receptance(&self.layout, foundation, method)?)
+    }
+
+    /// Frequencies up to `highest` [Hz] of the track on springs of its own, without loss, that explain its curves; none on ground and
+    /// of sections.
+    pub fn landmarks(&self, highest: f64) -> Vec<(Landmark, f64)> {
+        let Support::Springs(springs) = &self.support else { return Vec::new() };
+        let marks = |supports: &Supports| {
+            let floquet = Floquet::new(supports, springs)?;
+            Undamped::new(&floquet).landmarks(highest)
+        };
+        match &self.layout {
+            Layout::Discrete(supports) => marks(supports).unwrap_or_default(),
+            Layout::Continuous(stack) => {
+                // at β = 0 all move alike, whatever the spacing
+                let alike =
+                    Supports::new(stack, 1.0, None, None).ok().and_then(|supports| marks(&supports).ok());
+                let mut alike = alike.unwrap_or_default();
+                alike.retain(|mark| mark.0 != Landmark::PinnedPinned);
+                alike
+            }
+            Layout::Varying(_) => Vec::new(),
+        }
+    }
+
     /// Refuses receivers, at `distances` [m] from the centre line, without layered ground or on the track.
     ///
     /// # Errors
@@ -252,6 +299,9 @@ pub enum RailwayError {
     /// The foundation cannot answer.
     #[error(transparent)]
     Foundation(#[from] FoundationError),
+    /// The rail cannot answer.
+    #[error(transparent)]
+    Rail(#[from] RailError),
     /// Waves need layered ground.
     #[error("it needs layered ground: give [soil] instead of [foundation]")]
     NoGround,

@@ -6,6 +6,7 @@ use super::values::{Named, Range, Speed};
 use crate::field::Quantity;
 use crate::foundation::{FoundationModel, Springs};
 use crate::irregularity::{Order, Spectrum};
+use crate::rail::Method;
 use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, Strip};
 use crate::track::Track;
@@ -311,6 +312,27 @@ pub struct ReceptanceInput {
     pub receivers: Vec<f64>,
     /// The ground's surface around the force; none by default.
     pub map: Option<ReceptanceMapInput>,
+    /// Where the force stands [m], from a support, or from the first change of section; 0 by default.
+    pub from: Option<f64>,
+    /// Where the rail answers [m], from the same; under the force alone by default.
+    pub x: Option<Vec<f64>>,
+    /// How the rail is asked; the best for its track by default.
+    pub method: Option<Method>,
+    /// Another way, whose difference is reported.
+    pub verify: Option<Method>,
+    /// Moduli over frequency to draw beside the computed ones.
+    #[serde(default)]
+    pub measured: Vec<BesideInput>,
+}
+
+/// `[[receptance.measured]]`, `[[decay_rate.measured]]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BesideInput {
+    /// CSV file beside the case: a header line, then frequency and value, in Hz and SI units or those of the header.
+    pub file: String,
+    /// Legend entry.
+    pub label: String,
 }
 
 /// `[receptance.map]`

@@ -13,7 +13,7 @@
 
 use super::drive::HARMONIC_ACCURACY as ACCURACY;
 use super::waves::Waves;
-use super::{Drive, InteractionError, TrackOnFoundation};
+use super::{Answer, Drive, InteractionError, RailError, Receptance, TrackOnFoundation};
 use crate::math::quadrature::{Adaptive, Estimate, Tolerance};
 use crate::soil::strip::sinc;
 use num_complex::Complex64;
@@ -91,6 +91,19 @@ impl TrackOnFoundation<'_> {
             waves: if speed == 0.0 { waves.mirrored() } else { waves },
             converged: estimate.converged && faded && line.worst <= 1.0,
         })
+    }
+}
+
+impl Receptance for TrackOnFoundation<'_> {
+    fn at(&self, x: &[f64], from: f64, omega: f64) -> Result<Vec<Answer>, RailError> {
+        let reach = x.iter().map(|x| (x - from).abs()).fold(0.0, f64::max);
+        let load = self.harmonic(omega, 0.0, reach)?;
+        let error = ACCURACY * load.worst * load.rail(0.0).norm();
+        Ok(x.iter().map(|x| Answer { value: load.rail(x - from), error }).collect())
+    }
+
+    fn period(&self) -> Option<f64> {
+        Some(0.0)
     }
 }
 

@@ -3,6 +3,7 @@
 mod beam_waves;
 mod drive;
 mod harmonic_load;
+pub mod methods;
 mod moving_load;
 mod receptance;
 mod track_on_foundation;

@@ -8,6 +8,7 @@ mod dispersion;
 mod doubts;
 mod equivalent_stiffness;
 mod free_field;
+mod landmarks;
 mod receptance;
 mod surface_compliance;
 mod track_response;
@@ -25,10 +26,10 @@ pub use track_response::{Record, TrackResponse, TrackShapes, same_speed, tag};
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::field::GroundFieldError;
-use crate::figure::Figure;
+use crate::figure::{Figure, Series, Stroke};
 use crate::foundation::FoundationError;
 use crate::progress::Observer;
-use crate::rail::InteractionError;
+use crate::rail::{InteractionError, Method, RailError};
 use crate::railway::{Ground, Railway, RailwayError};
 use crate::soil::SoilError;
 use thiserror::Error;
@@ -52,6 +53,25 @@ impl Answer {
     /// An answer from its parts.
     pub fn new(key: &str, what: impl Into<String>, value: f64, unit: &'static str, shown: String) -> Self {
         Self { key: key.to_owned(), what: what.into(), value, unit, shown }
+    }
+}
+
+/// A curve from elsewhere, to be drawn beside the computed one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Beside {
+    /// Legend entry.
+    pub label: String,
+    /// Abscissae, SI.
+    pub x: Vec<f64>,
+    /// Values, SI.
+    pub values: Vec<f64>,
+}
+
+impl Beside {
+    /// As points of a picture, `scale` times its values.
+    fn series(&self, scale: f64) -> Series {
+        let y = self.values.iter().map(|value| scale * value).collect();
+        Series { name: self.label.clone(), x: self.x.clone(), y, stroke: Stroke::Points }
     }
 }
 
@@ -121,6 +141,24 @@ impl Study {
         }
     }
 
+    /// The same question asked another way, and how both are asked; None where it is asked once.
+    pub fn witness(&self, railway: &Railway) -> Option<(Self, [&'static str; 2])> {
+        let asked = |method, verify: Option<Method>| {
+            let first = railway.method(method).ok()?;
+            Some([first.name(), verify?.name()])
+        };
+        match self {
+            Self::Receptance(study) => {
+                let names = asked(study.method, study.verify)?;
+                // the ground beside the track is asked in one way only
+                let second =
+                    Receptance { method: study.verify, receivers: Vec::new(), map: None, ..study.clone() };
+                Some((Self::Receptance(second), names))
+            }
+            _ => None,
+        }
+    }
+
     /// Refuses, before anything is computed, what cannot be answered: all that `railway` lacks, or else the first limit in the way.
     ///
     /// # Errors
@@ -182,6 +220,9 @@ pub enum StudyError {
     /// The moving response failed.
     #[error(transparent)]
     Interaction(#[from] InteractionError),
+    /// The rail failed.
+    #[error(transparent)]
+    Rail(#[from] RailError),
     /// The foundation failed.
     #[error(transparent)]
     Foundation(#[from] FoundationError),
