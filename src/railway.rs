@@ -243,6 +243,14 @@ impl Railway {
         Ok(methods::receptance(&self.layout, foundation, method)?)
     }
 
+    /// Decay [dB/m] of the free wave along its rail that decays least, at `omega` [rad/s].
+    ///
+    /// # Errors
+    /// A track without free waves of its own: on layered ground, of sections.
+    pub fn free_decay(&self, method: Option<Method>, omega: f64) -> Result<f64, RailwayError> {
+        Ok(methods::free_decay(&self.layout, self.foundation()?, method, omega)?)
+    }
+
     /// Frequencies up to `highest` [Hz] of the track on springs of its own, without loss, that explain its curves; none on ground and
     /// of sections.
     pub fn landmarks(&self, highest: f64) -> Vec<(Landmark, f64)> {

@@ -6,7 +6,7 @@ use super::values::{Named, Range, Speed};
 use crate::field::Quantity;
 use crate::foundation::{FoundationModel, Springs};
 use crate::irregularity::{Order, Spectrum};
-use crate::rail::Method;
+use crate::rail::{DecayRate, Method};
 use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, Strip};
 use crate::track::Track;
@@ -41,6 +41,8 @@ pub struct CaseInput {
     pub contour: Option<ContourInput>,
     /// Rail and ground under a standing harmonic load.
     pub receptance: Option<ReceptanceInput>,
+    /// How fast vibration dies away along the rail.
+    pub decay_rate: Option<DecayRateInput>,
     /// Roughness of the rail.
     pub irregularity: Option<IrregularityInput>,
     /// Vibration of the ground beside the track during a pass.
@@ -321,6 +323,25 @@ pub struct ReceptanceInput {
     /// Another way, whose difference is reported.
     pub verify: Option<Method>,
     /// Moduli over frequency to draw beside the computed ones.
+    #[serde(default)]
+    pub measured: Vec<BesideInput>,
+}
+
+/// `[decay_rate]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DecayRateInput {
+    /// f [Hz], above zero, ascending.
+    pub frequencies: Range<f64>,
+    /// Which decay rate; that of the free wave by default.
+    pub method: Option<DecayRate>,
+    /// Where the force stands [m] from a support; in the middle of a bay by default.
+    pub from: Option<f64>,
+    /// How the rail is asked; the best for its track by default.
+    pub rail: Option<Method>,
+    /// Another way to ask it, whose difference is reported.
+    pub verify: Option<Method>,
+    /// Rates over frequency to draw beside the computed ones.
     #[serde(default)]
     pub measured: Vec<BesideInput>,
 }

@@ -4,7 +4,7 @@ use super::checks::{FARTHEST, ascending, distinct, span};
 use super::error::Finding;
 use super::irregularity;
 use super::schema::{
-    BesideInput, CaseInput, ContourInput, CriticalSpeedInput, DispersionInput, EquivalentStiffnessInput,
+    BesideInput, CaseInput, ContourInput, CriticalSpeedInput, DecayRateInput, DispersionInput, EquivalentStiffnessInput,
     FreeFieldInput, MeasuredInput, ReceptanceInput, SoilInput, SpanInput, SurfaceComplianceInput,
     TrackResponseInput,
 };
@@ -18,7 +18,7 @@ use crate::quantity::positive;
 use crate::rail::Method;
 use crate::soil::{Solver, ThinLayer};
 use crate::study::{
-    Beside, Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Irregularity, Receptance,
+    Beside, Contour, CriticalSpeed, DecayRate, Dispersion, EquivalentStiffness, FreeField, Irregularity, Receptance,
     ReceptanceMap, Record, Roughness, Study, SurfaceComplianceTable, TrackResponse, same_speed,
 };
 use std::collections::BTreeSet;
@@ -266,7 +266,7 @@ fn another(method: Option<Method>, verify: Option<Method>, path: &str) -> Result
 /// Places along the rail.
 fn places(x: &[f64], path: &str) -> Result<Vec<f64>, Finding> {
     let finite = |v: f64| v.abs() <= FARTHEST;
-    let x = numbers(&Range::List(x.to_vec()), path, "m", (finite, "within 1e5 m"))?;
+    let x = numbers(&Range::List(x.to_vec()), path, "m", (finite, "within 10 km"))?;
     distinct(&x, path, "m")?;
     Ok(x)
 }
@@ -298,6 +298,26 @@ fn receptance(
         receivers,
         map: map.transpose()?,
         beside: beside(&input.measured, "receptance", files)?,
+    })
+}
+
+fn decay_rate(
+    input: &DecayRateInput,
+    files: &dyn Fn(&str) -> Result<String, String>,
+) -> Result<DecayRate, Finding> {
+    let frequencies = numbers(&input.frequencies, "decay_rate.frequencies", "Hz", POSITIVE)?;
+    ascending(&frequencies, "decay_rate.frequencies")?;
+    another(input.rail, input.verify, "decay_rate")?;
+    if let Some(from) = input.from {
+        places(&[from], "decay_rate.from")?;
+    }
+    Ok(DecayRate {
+        frequencies,
+        definition: input.method.unwrap_or_default(),
+        from: input.from,
+        rail: input.rail,
+        verify: input.verify,
+        beside: beside(&input.measured, "decay_rate", files)?,
     })
 }
 
@@ -386,12 +406,13 @@ fn surface_compliance(input: &SurfaceComplianceInput) -> Result<SurfaceComplianc
 }
 
 /// Names of the tables that ask for something.
-const STUDIES: [&str; 8] = [
+const STUDIES: [&str; 9] = [
     "critical_speed",
     "dispersion",
     "track_response",
     "contour",
     "receptance",
+    "decay_rate",
     "free_field",
     "equivalent_stiffness",
     "surface_compliance",
@@ -417,12 +438,13 @@ pub fn studies(
         let smooth = free_field(study, input)?;
         Ok(Study::FreeField(Box::new(FreeField { roughness: on_rail.cloned(), ..smooth })))
     };
-    let asked: [Option<Result<Study, Finding>>; 8] = [
+    let asked: [Option<Result<Study, Finding>>; 9] = [
         input.critical_speed.as_ref().map(|s| critical_speed(s).map(Study::CriticalSpeed)),
         input.dispersion.as_ref().map(|s| dispersion(s).map(Study::Dispersion)),
         input.track_response.as_ref().map(|s| track_response(s, files).map(Study::TrackResponse)),
         input.contour.as_ref().map(|s| contour(s).map(Study::Contour)),
         input.receptance.as_ref().map(|s| receptance(s, files).map(Study::Receptance)),
+        input.decay_rate.as_ref().map(|s| decay_rate(s, files).map(Study::DecayRate)),
         input.free_field.as_ref().map(free),
         input.equivalent_stiffness.as_ref().map(|s| equivalent_stiffness(s).map(Study::EquivalentStiffness)),
         input.surface_compliance.as_ref().map(|s| surface_compliance(s).map(Study::SurfaceCompliance)),

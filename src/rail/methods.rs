@@ -62,3 +62,25 @@ pub fn moving<'a>(
         }),
     }
 }
+
+/// Decay [dB/m] of the free wave along the rail of `layout` on `on` that decays least, at `omega` [rad/s]; by the roots of the track, or
+/// another `method`.
+///
+/// # Errors
+/// A track without free waves of its own, a method that does not know them.
+pub fn free_decay(
+    layout: &Layout,
+    on: &dyn Foundation,
+    method: Option<Method>,
+    omega: f64,
+) -> Result<f64, RailError> {
+    match layout {
+        Layout::Continuous(stack) => continuous::free_decay(stack, on, method, omega),
+        Layout::Discrete(supports) => periodic::free_decay(supports, on, method, omega),
+        Layout::Varying(_) => Err(RailError::Method {
+            method: "floquet",
+            track: "the free wave of sections one after another",
+            able: "exact-receptance, en15461",
+        }),
+    }
+}

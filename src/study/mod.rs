@@ -4,6 +4,7 @@
 pub mod comparison;
 mod contour;
 mod critical_speed;
+mod decay_rate;
 mod dispersion;
 mod doubts;
 mod equivalent_stiffness;
@@ -16,6 +17,7 @@ mod track_response;
 pub use comparison::Comparison;
 pub use contour::{Contour, GroundMaps};
 pub use critical_speed::{CriticalSpeed, Hump, Peak, Plateau, SpeedCurve, SpeedCurves};
+pub use decay_rate::{DecayRate, DecayRates};
 pub use dispersion::{Crossing, Dispersion, DispersionCurves};
 pub use equivalent_stiffness::{EquivalentStiffness, StiffnessTable};
 pub use free_field::{Carrier, FreeField, Irregularity, PassVelocities, Roughness};
@@ -101,6 +103,8 @@ pub enum Study {
     Contour(Contour),
     /// How much do rail and ground move under a standing harmonic load?
     Receptance(Receptance),
+    /// How fast does vibration die away along the rail?
+    DecayRate(DecayRate),
     /// How much does a passing train shake the ground beside the track?
     FreeField(Box<FreeField>),
     /// k_eq(β, ω)
@@ -118,6 +122,7 @@ impl Study {
             Self::TrackResponse(_) => "track_response",
             Self::Contour(_) => "contour",
             Self::Receptance(_) => "receptance",
+            Self::DecayRate(_) => "decay_rate",
             Self::FreeField(_) => "free_field",
             Self::EquivalentStiffness(_) => "equivalent_stiffness",
             Self::SurfaceCompliance(_) => "surface_compliance",
@@ -135,6 +140,7 @@ impl Study {
             Self::TrackResponse(study) => study.run(railway, observer),
             Self::Contour(study) => study.run(railway, observer),
             Self::Receptance(study) => study.run(railway, observer),
+            Self::DecayRate(study) => study.run(railway, observer),
             Self::FreeField(study) => study.run(railway, observer),
             Self::EquivalentStiffness(study) => study.run(railway, observer),
             Self::SurfaceCompliance(study) => study.run(railway.ground()?, observer),
@@ -177,7 +183,8 @@ impl Study {
         let (ground, track, train) = (railway.ground(), railway.track().err(), railway.train().err());
         let [first, second] = match self {
             Self::CriticalSpeed(_) | Self::TrackResponse(_) => [track, train],
-            Self::Receptance(_) => [track, None],
+            Self::Receptance(study) => [study.lacks(railway), None],
+            Self::DecayRate(study) => [railway.method(study.rail).and_then(|m| railway.receptance(m).map(drop)).err(), None],
             Self::Contour(_) => [ground.and_then(Ground::contact).err(), train],
             Self::FreeField(_) => [ground.err().or(track), train],
             Self::EquivalentStiffness(_) => [railway.foundation().err(), None],
@@ -200,6 +207,7 @@ impl Study {
                 study.check(railway)?;
                 vec![f64::INFINITY]
             }
+            Self::DecayRate(_) => vec![f64::INFINITY],
             Self::FreeField(study) => {
                 study.check(railway)?;
                 vec![f64::INFINITY]

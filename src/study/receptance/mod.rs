@@ -9,7 +9,7 @@ pub use map::{ReceptanceMap, Surface};
 use super::{Beside, Outcome, StudyError};
 use crate::progress::Observer;
 use crate::rail::{Answer as RailAnswer, Landmark, Method};
-use crate::railway::Railway;
+use crate::railway::{Railway, RailwayError};
 use ndarray::Array2;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -73,6 +73,14 @@ pub struct Receptances {
 type Row = (Vec<Complex64>, Vec<Complex64>, f64);
 
 impl Receptance {
+    /// What `railway` lacks for an answer.
+    pub(super) fn lacks(&self, railway: &Railway) -> Option<RailwayError> {
+        // the ground beside the track is that of continuous ones
+        let beside = !self.receivers.is_empty() || self.map.is_some();
+        let track = if beside { railway.track().err() } else { None };
+        track.or(railway.method(self.method).and_then(|method| railway.receptance(method).map(drop)).err())
+    }
+
     /// Refuses receivers on the track and maps beyond the free memory.
     ///
     /// # Errors
