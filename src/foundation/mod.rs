@@ -110,6 +110,11 @@ pub trait Foundation: Send + Sync {
         Ok(())
     }
 
+    /// The springs it is, if it is one of springs.
+    fn springs(&self) -> Option<&Springs> {
+        None
+    }
+
     /// The same to a `relative` accuracy of one's own.
     ///
     /// # Errors

@@ -1,6 +1,8 @@
 //! How the rail of a track on its foundation answers loads that stand or move.
 
 mod beam_waves;
+mod by_method;
+pub mod continuous;
 mod drive;
 mod driven_line;
 mod harmonic_load;
@@ -10,6 +12,7 @@ mod track_on_foundation;
 mod waves;
 
 pub use beam_waves::BeamWaves;
+pub use by_method::{moving, rail};
 pub use drive::Drive;
 pub use harmonic_load::HarmonicLoad;
 pub(crate) use harmonic_load::{NEGLIGIBLE, decay, within};

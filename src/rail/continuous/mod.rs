@@ -1,0 +1,71 @@
+//! Methods for a rail that is carried without interruption.
+
+mod boundary_values;
+mod closed_form;
+mod residues;
+mod uniform;
+
+pub use residues::Departing;
+
+use super::{Method, Moving, RailError, Receptance};
+use crate::foundation::Foundation;
+use crate::track::Stack;
+use boundary_values::BoundaryValues;
+use closed_form::ClosedForm;
+use residues::Residues;
+use uniform::Uniform;
+
+/// Methods that know a uniform track.
+const ABLE: &str = "adaptive, closed-form, residues, boundary-values, fourier, filon";
+
+/// How the rail of `stack` on `on` answers a standing force, by `method`.
+///
+/// # Errors
+/// A method that does not know such a track.
+pub(super) fn receptance<'a>(
+    stack: &'a Stack,
+    on: &'a dyn Foundation,
+    method: Method,
+) -> Result<Box<dyn Receptance + 'a>, RailError> {
+    let uniform = Uniform::new(stack, on);
+    if method != Method::Adaptive {
+        uniform.tower(method.name())?;
+    }
+    Ok(match method {
+        Method::ClosedForm => Box::new(ClosedForm(uniform).known()?),
+        Method::Residues => Box::new(Residues(uniform)),
+        Method::BoundaryValues => Box::new(BoundaryValues(uniform)),
+        other => {
+            return Err(RailError::Method {
+                method: other.name(),
+                track: "a track without spacing",
+                able: ABLE,
+            });
+        }
+    })
+}
+
+/// How the rail of `stack` on `on` answers a force that moves, by `method`.
+///
+/// # Errors
+/// A method that does not know such a track.
+pub(super) fn moving<'a>(
+    stack: &'a Stack,
+    on: &'a dyn Foundation,
+    method: Method,
+) -> Result<Box<dyn Moving + 'a>, RailError> {
+    let uniform = Uniform::new(stack, on);
+    Ok(match method {
+        Method::Residues => {
+            uniform.tower(method.name())?;
+            Box::new(Residues(uniform))
+        }
+        other => {
+            return Err(RailError::Method {
+                method: other.name(),
+                track: "a load that moves on a track without spacing",
+                able: "adaptive, residues",
+            });
+        }
+    })
+}
