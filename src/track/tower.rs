@@ -2,7 +2,7 @@
 
 use super::{Element, Link, Member, Stack};
 use crate::math::complex::I;
-use crate::math::polynomial::Polynomial;
+use crate::math::expression::Polynomial;
 use num_complex::Complex64;
 
 /// What moves as one from the rail downward, each floor joined to the next by a link and the last one to rock.

@@ -1,8 +1,12 @@
 //! Methods for a rail that is carried without interruption.
 
+mod adaptive;
 mod boundary_values;
 mod closed_form;
+mod filon;
+mod fourier;
 mod residues;
+mod tail;
 mod uniform;
 
 pub use residues::Departing;
@@ -10,8 +14,11 @@ pub use residues::Departing;
 use super::{Method, Moving, RailError, Receptance};
 use crate::foundation::Foundation;
 use crate::track::Stack;
+use adaptive::Adaptive;
 use boundary_values::BoundaryValues;
 use closed_form::ClosedForm;
+use filon::Filon;
+use fourier::Fourier;
 use residues::Residues;
 use uniform::Uniform;
 
@@ -32,6 +39,9 @@ pub(super) fn receptance<'a>(
         uniform.tower(method.name())?;
     }
     Ok(match method {
+        Method::Adaptive => Box::new(Adaptive(uniform)),
+        Method::Fourier => Box::new(Fourier(uniform)),
+        Method::Filon => Box::new(Filon(uniform)),
         Method::ClosedForm => Box::new(ClosedForm(uniform).known()?),
         Method::Residues => Box::new(Residues(uniform)),
         Method::BoundaryValues => Box::new(BoundaryValues(uniform)),
@@ -56,6 +66,7 @@ pub(super) fn moving<'a>(
 ) -> Result<Box<dyn Moving + 'a>, RailError> {
     let uniform = Uniform::new(stack, on);
     Ok(match method {
+        Method::Adaptive => Box::new(Adaptive(uniform)),
         Method::Residues => {
             uniform.tower(method.name())?;
             Box::new(Residues(uniform))

@@ -9,7 +9,7 @@
 
 use super::uniform::Uniform;
 use crate::math::complex::I;
-use crate::math::polynomial::Polynomial;
+use crate::math::expression::Polynomial;
 use crate::rail::beam_waves::leaving;
 use crate::rail::{Answer, Drive, Moving, RailError, Receptance};
 use crate::track::{Ratio, Tower};
