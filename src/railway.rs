@@ -2,7 +2,7 @@
 
 use crate::foundation::{Foundation, FoundationError, Grain, LayeredSoil, Springs};
 use crate::rail::periodic::{Floquet, Undamped};
-use crate::rail::{Landmark, Method, RailError, Receptance, TrackOnFoundation, methods};
+use crate::rail::{self, Landmark, Method, RailError, Receptance, TrackOnFoundation};
 use crate::soil::{Compatibility, Profile, Solver, Strip};
 use crate::track::{Layout, Stack, Supports};
 use crate::vehicle::Train;
@@ -240,7 +240,7 @@ impl Railway {
         if self.is_bare() {
             return Err(RailwayError::NoTrack);
         }
-        Ok(methods::receptance(&self.layout, foundation, method)?)
+        Ok(rail::rail(&self.layout, foundation, method)?)
     }
 
     /// Decay [dB/m] of the free wave along its rail that decays least, at `omega` [rad/s].
@@ -248,7 +248,7 @@ impl Railway {
     /// # Errors
     /// A track without free waves of its own: on layered ground, of sections.
     pub fn free_decay(&self, method: Option<Method>, omega: f64) -> Result<f64, RailwayError> {
-        Ok(methods::free_decay(&self.layout, self.foundation()?, method, omega)?)
+        Ok(rail::free_decay(&self.layout, self.foundation()?, method, omega)?)
     }
 
     /// Frequencies up to `highest` [Hz] of the track on springs of its own, without loss, that explain its curves; none on ground and

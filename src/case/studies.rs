@@ -4,9 +4,9 @@ use super::checks::{FARTHEST, ascending, distinct, span};
 use super::error::Finding;
 use super::irregularity;
 use super::schema::{
-    BesideInput, CaseInput, ContourInput, CriticalSpeedInput, DecayRateInput, DispersionInput, EquivalentStiffnessInput,
-    FreeFieldInput, MeasuredInput, ReceptanceInput, SoilInput, SpanInput, SurfaceComplianceInput,
-    TrackResponseInput,
+    BesideInput, CaseInput, ContourInput, CriticalSpeedInput, DecayRateInput, DispersionInput,
+    EquivalentStiffnessInput, FreeFieldInput, MeasuredInput, ReceptanceInput, SoilInput, SpanInput,
+    SurfaceComplianceInput, TrackResponseInput,
 };
 use super::train::Wheels;
 use super::values::{Bands, Named, Range, Speed};
@@ -18,8 +18,8 @@ use crate::quantity::positive;
 use crate::rail::Method;
 use crate::soil::{Solver, ThinLayer};
 use crate::study::{
-    Beside, Contour, CriticalSpeed, DecayRate, Dispersion, EquivalentStiffness, FreeField, Irregularity, Receptance,
-    ReceptanceMap, Record, Roughness, Study, SurfaceComplianceTable, TrackResponse, same_speed,
+    Beside, Contour, CriticalSpeed, DecayRate, Dispersion, EquivalentStiffness, FreeField, Irregularity,
+    Receptance, ReceptanceMap, Record, Roughness, Study, SurfaceComplianceTable, TrackResponse, same_speed,
 };
 use std::collections::BTreeSet;
 

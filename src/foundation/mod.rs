@@ -148,6 +148,11 @@ pub trait Foundation: Send + Sync {
         Ok(())
     }
 
+    /// The springs it is, if it is one of springs.
+    fn springs(&self) -> Option<&Springs> {
+        None
+    }
+
     /// How it is best asked along a line.
     fn grain(&self) -> Grain {
         Grain::Smooth

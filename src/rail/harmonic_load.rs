@@ -98,7 +98,7 @@ impl Receptance for TrackOnFoundation<'_> {
     fn at(&self, x: &[f64], from: f64, omega: f64) -> Result<Vec<Answer>, RailError> {
         let reach = x.iter().map(|x| (x - from).abs()).fold(0.0, f64::max);
         let load = self.harmonic(omega, 0.0, reach)?;
-        let error = ACCURACY * load.worst * load.rail(0.0).norm();
+        let error = ACCURACY * if load.converged { 1.0 } else { 100.0 } * load.rail(0.0).norm();
         Ok(x.iter().map(|x| Answer { value: load.rail(x - from), error }).collect())
     }
 

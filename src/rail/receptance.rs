@@ -3,6 +3,7 @@
 use super::drive::Drive;
 use super::track_on_foundation::InteractionError;
 use crate::foundation::FoundationError;
+use crate::track::TrackError;
 use num_complex::Complex64;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -115,6 +116,12 @@ pub enum RailError {
         /// Those that do.
         able: &'static str,
     },
+    /// Ground that joins the supports, under sleepers without a width.
+    #[error(
+        "the ground joins the supports, and a sleeper without a width along the track would sink into it: give the width of \
+         the sleepers, or springs of its own to every support"
+    )]
+    Width,
     /// A load faster than the method allows.
     #[error("{speed:.1} m/s is at or above {limit:.1} m/s, {what}: method \"{method}\" has no answer there")]
     TooFast {
@@ -141,4 +148,11 @@ pub enum RailError {
         /// What helps.
         remedy: &'static str,
     },
+}
+
+impl RailError {
+    /// Whether it is causal hysteresis below the frequency at which it holds.
+    pub(super) fn pushes(&self) -> bool {
+        matches!(self, Self::Foundation(FoundationError::Track(TrackError::Pushes { .. })))
+    }
 }

@@ -184,7 +184,9 @@ impl Study {
         let [first, second] = match self {
             Self::CriticalSpeed(_) | Self::TrackResponse(_) => [track, train],
             Self::Receptance(study) => [study.lacks(railway), None],
-            Self::DecayRate(study) => [railway.method(study.rail).and_then(|m| railway.receptance(m).map(drop)).err(), None],
+            Self::DecayRate(study) => {
+                [railway.method(study.rail).and_then(|m| railway.receptance(m).map(drop)).err(), None]
+            }
             Self::Contour(_) => [ground.and_then(Ground::contact).err(), train],
             Self::FreeField(_) => [ground.err().or(track), train],
             Self::EquivalentStiffness(_) => [railway.foundation().err(), None],

@@ -5,8 +5,10 @@ mod common;
 
 mod beam;
 mod column;
+mod continuous;
 mod dispersion;
 mod half_space;
 mod moving_point;
 mod rayleigh;
+mod springs;
 mod strip;

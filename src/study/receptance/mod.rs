@@ -10,6 +10,7 @@ use super::{Beside, Outcome, StudyError};
 use crate::progress::Observer;
 use crate::rail::{Answer as RailAnswer, Landmark, Method};
 use crate::railway::{Railway, RailwayError};
+use crate::track::{Layout, Supports};
 use ndarray::Array2;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -67,6 +68,8 @@ pub struct Receptances {
     pub method: Method,
     /// Frequencies of the track without loss that explain the curve.
     pub landmarks: Vec<(Landmark, f64)>,
+    /// The rail on supports of its own.
+    pub on_supports: Option<Supports>,
 }
 
 /// Rail at every x, every receiver, error over what was allowed.
@@ -128,6 +131,10 @@ impl Receptance {
             missed: worst.filter(|(_, factor)| *factor > 1.0).collect(),
             map: self.map.as_ref().map(|map| map.solve(railway, observer)).transpose()?,
             method,
+            on_supports: match railway.layout() {
+                Layout::Discrete(supports) => Some(supports.clone()),
+                _ => None,
+            },
             landmarks: railway.landmarks(self.frequencies.last().copied().unwrap_or_default()),
         })
     }
@@ -139,7 +146,9 @@ impl Receptance {
         }
         let ground = railway.ground()?;
         let prepared = ground.solver.prepare_many(&ground.profile, omega, K_MAX, GROUND_ACCURACY)?;
-        Ok(railway.track()?.ground(omega, prepared.as_ref(), ground.strip()?, &self.receivers)?)
+        let (values, met) =
+            railway.track()?.ground(omega, prepared.as_ref(), ground.strip()?, &self.receivers)?;
+        Ok((values, if met { 1.0 } else { 100.0 }))
     }
 
     /// As [`Self::solve`], shown.

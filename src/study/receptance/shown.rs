@@ -4,8 +4,9 @@ use super::Receptances;
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
-use crate::study::landmarks::{landmark_answers, marks, marks_caption};
+use crate::study::landmarks::{landmark_answers, marks, marks_caption, unbounded};
 use crate::study::{Answer, Beside, Outcome};
+use crate::track::Supports;
 use ndarray::{Array2, ArrayView1};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -17,12 +18,20 @@ impl Receptances {
             vec![if self.x.is_none() { self.rail_figure(beside) } else { self.along_figure(beside) }];
         figures.extend(self.on_springs().then(|| self.mobility_figure(beside)));
         figures.extend((!self.receivers.is_empty()).then(|| self.ground_figure()));
-        let concerns = self.concern().into_iter().collect();
+        let between = self.on_supports.as_ref().filter(|supports| self.between(supports));
+        let unbounded = between.and_then(|supports| unbounded(&self.landmarks, &supports.rail));
+        let concerns = self.concern().into_iter().chain(unbounded).collect();
         let mut outcome = Outcome { group: self.group(), figures, answers: self.answers(), concerns };
         if let Some(map) = &self.map {
             map.add(&mut outcome);
         }
         outcome
+    }
+
+    /// Whether force and answer both lie between supports.
+    fn between(&self, supports: &Supports) -> bool {
+        let off = |x: f64| (x / supports.spacing - (x / supports.spacing).round()).abs() > 1e-6;
+        off(self.from) && self.x.as_deref().unwrap_or(&[self.from]).iter().any(|x| off(*x))
     }
 
     /// Whether the track is one of springs, whose landmarks are known.

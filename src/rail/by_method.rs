@@ -1,4 +1,4 @@
-//! Which methods know which track, and the rail of a layout answered by one of them.
+//! Every layout of a track with every method that knows it.
 
 use super::receptance::{Method, Moving, RailError, Receptance};
 use super::{continuous, periodic};
@@ -31,7 +31,7 @@ impl Method {
 ///
 /// # Errors
 /// A method that does not know such a track.
-pub fn receptance<'a>(
+pub fn rail<'a>(
     layout: &'a Layout,
     on: &'a dyn Foundation,
     method: Method,
