@@ -11,7 +11,7 @@ mod waves;
 pub use beam_waves::BeamWaves;
 pub use drive::Drive;
 pub use harmonic_load::HarmonicLoad;
-pub(crate) use harmonic_load::{NEGLIGIBLE, decay, within};
+pub(crate) use harmonic_load::{NEGLIGIBLE, decay};
 pub(crate) use moving_load::panels;
 pub use moving_load::{MovingLoad, MovingSpectrum, Shape};
 pub use receptance::{Answer, Method, Moving, RailError, Receptance};

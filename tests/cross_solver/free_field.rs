@@ -298,8 +298,8 @@ fn library_forces(stack: &Stack, driving: &[f64]) -> (Vec<Complex64>, Vec<Comple
     driving
         .par_iter()
         .map(|&w| {
-            let (alpha, converged) = wheels.rail(w).unwrap();
-            assert!(converged);
+            let (alpha, worst) = wheels.rail(w).unwrap();
+            assert!(worst <= 1.0);
             (wheels.forces(&alpha, w)[0], alpha[(0, 0)])
         })
         .unzip()
@@ -324,7 +324,7 @@ fn transfers(stack: &Stack, driving: &[f64], cells: &[(f64, f64)]) -> Vec<Vec<[C
             let omega = TAU * f;
             let ground = DirectStiffness.prepare(&profile, omega, &[]).unwrap();
             let section = Section::new(stack, ground.as_ref(), STRIP, omega, &[RECEIVER]);
-            assert!(section.converged());
+            assert!(section.worst <= 1.0);
             driving.iter().map(|w| [w, &-w].map(|w| section.transfer(0, (w - omega) / SPEED))).collect()
         })
         .collect()
@@ -678,7 +678,7 @@ fn between_sections() {
     };
     let sections = Sections::new((1.0, 550.0), &receivers, 1.0 / SLOW, section, &Silent).unwrap();
     println!("{} sections", sections.count());
-    assert!(sections.converged);
+    assert!(sections.worst <= 1.0);
     let mut worst = 0.0f64;
     for i in 0..40 {
         let omega = 1.0 * 550f64.powf((f64::from(i) + 0.31) / 40.0);
@@ -730,12 +730,12 @@ fn standing_wheels_are_reciprocal() {
     for f in [5.0, 20.0, 60.0] {
         for speed in [0.0, 1e-3] {
             let wheels = WheelRail { track: &track, bodies: &bodies, contact: &[CONTACT; 2], speed };
-            let (alpha, converged) = wheels.rail(TAU * f).unwrap();
+            let (alpha, worst) = wheels.rail(TAU * f).unwrap();
             let difference = (alpha[(0, 1)] - alpha[(1, 0)]).norm() / alpha[(0, 0)].norm();
             println!("{f} Hz, {speed} m/s: {difference:e}");
             // standing, α is even by construction; measured 1.8e-16. Almost standing, both sides are integrated by themselves, each
             // to 1e-4; measured 1.8e-5, and v/c is 1e-5
-            assert!(converged && difference < if speed == 0.0 { 1e-9 } else { 1e-4 }, "{difference:e}");
+            assert!(worst <= 1.0 && difference < if speed == 0.0 { 1e-9 } else { 1e-4 }, "{difference:e}");
         }
     }
 }

@@ -41,14 +41,14 @@ pub struct Receptances {
     pub rail: Vec<Complex64>,
     /// Of the ground abreast of the force [m/N], receivers × frequencies.
     pub ground: Array2<Complex64>,
-    /// Frequencies [Hz] at which an integral missed its accuracy.
-    pub missed: Vec<f64>,
+    /// Frequencies [Hz] at which the accuracy was missed, and by what factor.
+    pub missed: Vec<(f64, f64)>,
     /// Of the surface around the force.
     pub map: Option<Surface>,
 }
 
-/// Rail, every receiver, whether the accuracy was met.
-type Row = (Complex64, Vec<Complex64>, bool);
+/// Rail, every receiver, error over what was allowed.
+type Row = (Complex64, Vec<Complex64>, f64);
 
 impl Receptance {
     /// Refuses receivers on the track and maps beyond the free memory.
@@ -78,27 +78,27 @@ impl Receptance {
             .map(|frequency| {
                 let omega = TAU * frequency;
                 let load = track.harmonic(omega, 0.0, 0.0)?;
-                let (receivers, met) = match ground {
+                let (receivers, worst) = match ground {
                     Some(ground) => {
                         let Ground { profile, solver, .. } = ground;
                         let prepared = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
                         track.ground(omega, prepared.as_ref(), ground.strip()?, &self.receivers)?
                     }
-                    None => (Vec::new(), true),
+                    None => (Vec::new(), 0.0),
                 };
                 observer.advance();
-                Ok((load.rail(0.0), receivers, load.converged && met))
+                Ok((load.rail(0.0), receivers, load.worst.max(worst)))
             })
             .collect::<Result<_, StudyError>>()?;
         observer.end();
         let shape = (self.receivers.len(), self.frequencies.len());
-        let missed = self.frequencies.iter().zip(&rows).filter(|(_, row)| !row.2);
+        let missed = self.frequencies.iter().zip(&rows).map(|(f, row)| (*f, row.2));
         Ok(Receptances {
             frequencies: self.frequencies.clone(),
             receivers: self.receivers.clone(),
             rail: rows.iter().map(|row| row.0).collect(),
             ground: Array2::from_shape_fn(shape, |(r, f)| rows[f].1[r]),
-            missed: missed.map(|(f, _)| *f).collect(),
+            missed: missed.filter(|(_, worst)| *worst > 1.0).collect(),
             map: self.map.as_ref().map(|map| map.solve(railway, observer)).transpose()?,
         })
     }

@@ -1,9 +1,9 @@
 //! What a reader sees of receptances: arrays, answers, pictures, concerns.
 
 use super::Receptances;
-use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
+use crate::study::doubts::missed_accuracy;
 use crate::study::{Answer, Outcome};
 use ndarray::{Array1, ArrayView1};
 use num_complex::Complex64;
@@ -13,7 +13,8 @@ impl Receptances {
     pub(super) fn shown(&self) -> Outcome {
         let mut figures = vec![self.rail_figure()];
         figures.extend((!self.receivers.is_empty()).then(|| self.ground_figure()));
-        let concerns = self.concern().into_iter().collect();
+        let asked = (self.frequencies.len(), "frequencies", "Hz");
+        let concerns = missed_accuracy(&self.missed, "1e-4", asked).into_iter().collect();
         let mut outcome = Outcome { group: self.group(), figures, answers: self.answers(), concerns };
         if let Some(map) = &self.map {
             map.add(&mut outcome);
@@ -101,17 +102,6 @@ impl Receptances {
         };
         let caption = "Modulus of the vertical displacement of the ground's surface per unit harmonic force on the rail, abreast of it.";
         (Figure::Lines(picture), caption.into())
-    }
-
-    fn concern(&self) -> Option<Concern> {
-        let missed: Vec<String> = self.missed.iter().map(f64::to_string).collect();
-        (!missed.is_empty()).then(|| {
-            Concern::new(
-                "quadrature",
-                format!("the wavenumber integrals missed their accuracy (1e-4) at {} Hz", missed.join(", ")),
-                "poles lie too close to the real axis (more damping helps), or the track spreads the load too little",
-            )
-        })
     }
 }
 
