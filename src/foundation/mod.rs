@@ -40,6 +40,8 @@ pub enum FoundationModel {
     Pasternak(Pasternak),
     /// Springs on a layer that shears, on springs.
     Kerr(Kerr),
+    /// Rock under the last springs of the track: k = ∞.
+    Rigid,
 }
 
 impl FoundationModel {
@@ -51,6 +53,7 @@ impl FoundationModel {
             Self::Hetenyi(model) => model.stack(),
             Self::Pasternak(model) => model.stack(),
             Self::Kerr(model) => model.stack(),
+            Self::Rigid => Ok(Stack::default()),
         }
     }
 
@@ -62,6 +65,7 @@ impl FoundationModel {
             Self::Hetenyi(_) => "springs under a plate that bends (Hetényi)",
             Self::Pasternak(_) => "springs under a layer that shears (Pasternak)",
             Self::Kerr(_) => "springs on a layer that shears, on springs (Kerr)",
+            Self::Rigid => "rigid rock",
         }
     }
 }
@@ -146,6 +150,14 @@ pub trait Foundation: Send + Sync {
     /// As `answer`.
     fn stiffness(&self, beta: f64, omega: f64) -> Result<Stiffness, FoundationError> {
         self.stiffness_to(beta, omega, ACCURACY)
+    }
+
+    /// Refuses `omega` [rad/s] at which springs are none; a constant load asks at 0, whatever its speed.
+    ///
+    /// # Errors
+    /// As [`Stack::check`].
+    fn check(&self, _omega: f64) -> Result<(), FoundationError> {
+        Ok(())
     }
 
     /// How it is best asked along a line.

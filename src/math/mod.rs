@@ -6,5 +6,6 @@ pub mod decimal;
 pub mod fourier;
 pub mod interpolation;
 pub mod maximum;
+pub mod polynomial;
 pub mod quadrature;
 pub mod root;

@@ -4,6 +4,7 @@
 use super::TrackOnFoundation;
 use super::track_on_foundation::{ACCURACY, BETA_MIN, Extent, Quiet};
 use crate::foundation::{Among, Asked, Foundation, FoundationError, Grain, Stiffness};
+use crate::math::complex::reciprocal;
 use crate::math::interpolation::{Interpolant, NODES};
 use num_complex::Complex64;
 use std::cell::Cell;
@@ -83,7 +84,7 @@ impl Line<'_> {
             Source::Formula(foundation) => {
                 foundation.stiffness(beta, self.drive.at(beta)).map_or(f64::NAN.into(), |k| k.value)
             }
-            Source::Table(compliance, axis) => 1.0 / compliance.at(axis.x(beta)),
+            Source::Table(compliance, axis) => reciprocal(compliance.at(axis.x(beta))),
         }
     }
 }
@@ -91,9 +92,9 @@ impl Line<'_> {
 impl TrackOnFoundation<'_> {
     /// Error of 1/k [m²/N] at `beta` that changes the rail by `share` [m/N] in a unit of ln β.
     ///
-    /// Reciprocity: δu_rail = q² δ(1/k), q = k u_base the force handed down; its share of the integral is ∝ |β| in ln |β|.
+    /// Reciprocity: δu_rail = q² δ(1/k), q the force handed down; its share of the integral is ∝ |β| in ln |β|.
     fn bearable(&self, drive: Drive, beta: f64, stiffness: Complex64, share: f64) -> f64 {
-        let q = stiffness * self.stack.respond(beta, drive.at(beta), stiffness).base;
+        let q = self.stack.respond(beta, drive.at(beta), stiffness).force;
         share / (q.norm_sqr() * beta.abs()).max(f64::MIN_POSITIVE)
     }
 
@@ -201,7 +202,7 @@ impl TrackOnFoundation<'_> {
                 let k = self.felt(drive, axis.beta(*x), accuracy)?;
                 missed = missed.max(k.miss(HARMONIC_ACCURACY));
                 count += k.count;
-                *value = 1.0 / k.value;
+                *value = reciprocal(k.value);
             }
             Ok(values)
         };
@@ -225,7 +226,7 @@ impl TrackOnFoundation<'_> {
             let u = self.stack.respond(beta, drive.at(beta), stiffness);
             sum += u.rail.norm() * beta * RATIO.ln();
             // what the foundation adds to the rail's deflection, q²/k: while it counts the foundation is asked again
-            let counts = u.base.norm_sqr() * stiffness.norm() * beta > 0.1 * HARMONIC_ACCURACY * sum;
+            let counts = u.force.norm_sqr() / stiffness.norm() * beta > 0.1 * HARMONIC_ACCURACY * sum;
             last = if counts { None } else { Some(stiffness) };
             if counts {
                 extent = RATIO * beta;

@@ -120,22 +120,17 @@ pub struct MovingSpectrum<'a> {
 }
 
 impl MovingSpectrum<'_> {
-    fn respond(&self, beta: f64) -> (Displacements, Complex64) {
+    /// Displacements per unit load [m per N/m], and the force handed down [1], at `beta` ≥ 0 [rad/m].
+    pub fn at(&self, beta: f64) -> Displacements {
         let stiffness = self.line.stiffness(beta.max(BETA_MIN));
         let load = sinc(beta * self.half_length);
         let u = self.stack.respond(beta, -beta * self.speed, stiffness);
-        (Displacements { rail: u.rail * load, base: u.base * load }, stiffness)
-    }
-
-    /// Displacements per unit load [m per N/m] at `beta` ≥ 0 [rad/m].
-    pub fn at(&self, beta: f64) -> Displacements {
-        self.respond(beta).0
+        Displacements { rail: u.rail * load, base: u.base * load, force: u.force * load }
     }
 
     /// q̃ = k_eq ũ_base: force handed to the ground per unit load [1], at `beta` ≥ 0 [rad/m]; 1 at β = 0.
     pub fn force(&self, beta: f64) -> Complex64 {
-        let (u, stiffness) = self.respond(beta);
-        u.base * stiffness
+        self.at(beta).force
     }
 
     /// The wavenumber [rad/m] beyond which less than 1e-3 of the load reaches the ground: the track spreads it.

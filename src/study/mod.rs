@@ -111,7 +111,7 @@ impl Study {
     pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
         match self {
             Self::CriticalSpeed(study) => study.run(railway, observer),
-            Self::Dispersion(study) => study.run(railway.ground()?, railway.stack(), observer),
+            Self::Dispersion(study) => study.run(railway.ground()?, railway.stack().ok(), observer),
             Self::TrackResponse(study) => study.run(railway, observer),
             Self::Contour(study) => study.run(railway, observer),
             Self::Receptance(study) => study.run(railway, observer),

@@ -98,16 +98,17 @@ impl FreeField {
         let (of_ground, strip) = ((&ground.profile, ground.solver), ground.strip()?);
         // each β along ω̃ − βv has its own ω
         let soil = LayeredSoil::new(ground.profile.clone(), pointwise(ground.solver), strip)?;
-        let track = TrackOnFoundation::new(railway.stack(), &soil, 0.0);
+        let stack = railway.stack()?;
+        let track = TrackOnFoundation::new(stack, &soil, 0.0);
         let quasi_static = pass.quasi_static(&track, of_ground, strip, times, observer)?;
         // loads slower than the waves on a smooth rail ask for β = ω/v alone, of the exact ground
         let fast = self.speed >= ground.profile.slowest_rayleigh_speed();
         let across = (&ground.profile, self.sections.unwrap_or(ground.solver));
-        let sections = || pass.sections(railway.stack(), across, strip, times.period(), observer);
+        let sections = || pass.sections(stack, across, strip, times.period(), observer);
         let sections = (fast || self.roughness.is_some()).then(sections).transpose()?;
         let load = match sections.as_ref().filter(|_| fast) {
             Some(sections) => ConstantLoad::Fast(sections),
-            None => ConstantLoad::Slow(SlowLoad::new(&pass, railway.stack(), of_ground, strip)?),
+            None => ConstantLoad::Slow(SlowLoad::new(&pass, stack, of_ground, strip)?),
         };
         let across_worst = sections.as_ref().map_or(0.0, |sections| sections.worst);
         let worst = quasi_static.worst.max(load.worst()).max(across_worst);
