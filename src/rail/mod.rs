@@ -17,7 +17,7 @@ pub use by_method::{free_decay, moving, rail};
 pub use decay_rate::DecayRate;
 pub use drive::Drive;
 pub use harmonic_load::HarmonicLoad;
-pub(crate) use harmonic_load::{NEGLIGIBLE, decay, within};
+pub(crate) use harmonic_load::{NEGLIGIBLE, decay};
 pub(crate) use moving_load::panels;
 pub use moving_load::{MovingLoad, MovingSpectrum, Shape};
 pub use periodic::Landmark;

@@ -146,9 +146,7 @@ impl Receptance {
         }
         let ground = railway.ground()?;
         let prepared = ground.solver.prepare_many(&ground.profile, omega, K_MAX, GROUND_ACCURACY)?;
-        let (values, met) =
-            railway.track()?.ground(omega, prepared.as_ref(), ground.strip()?, &self.receivers)?;
-        Ok((values, if met { 1.0 } else { 100.0 }))
+        Ok(railway.track()?.ground(omega, prepared.as_ref(), ground.strip()?, &self.receivers)?)
     }
 
     /// As [`Self::solve`], shown.

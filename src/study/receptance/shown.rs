@@ -1,9 +1,9 @@
 //! What a reader sees of receptances: arrays, answers, pictures, concerns.
 
 use super::Receptances;
-use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
+use crate::study::doubts::missed_accuracy;
 use crate::study::landmarks::{landmark_answers, marks, marks_caption, unbounded};
 use crate::study::{Answer, Beside, Outcome};
 use crate::track::Supports;
@@ -20,7 +20,8 @@ impl Receptances {
         figures.extend((!self.receivers.is_empty()).then(|| self.ground_figure()));
         let between = self.on_supports.as_ref().filter(|supports| self.between(supports));
         let unbounded = between.and_then(|supports| unbounded(&self.landmarks, &supports.rail));
-        let concerns = self.concern().into_iter().chain(unbounded).collect();
+        let asked = (self.frequencies.len(), "frequencies", "Hz");
+        let concerns = missed_accuracy(&self.missed, "1e-4", asked).into_iter().chain(unbounded).collect();
         let mut outcome = Outcome { group: self.group(), figures, answers: self.answers(), concerns };
         if let Some(map) = &self.map {
             map.add(&mut outcome);
@@ -209,19 +210,6 @@ impl Receptances {
         };
         let caption = "Modulus of the vertical displacement of the ground's surface per unit harmonic force on the rail, abreast of it.";
         (Figure::Lines(picture), caption.into())
-    }
-
-    fn concern(&self) -> Option<Concern> {
-        let (at, worst) = self.missed.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
-        Some(Concern::new(
-            "quadrature",
-            format!(
-                "receptances missed their accuracy (1e-4) at {} of {} frequencies, by up to a factor of {worst:.2} (at {at} Hz)",
-                self.missed.len(),
-                self.frequencies.len(),
-            ),
-            "poles lie too close to the real axis (more damping helps), or the track spreads the load too little",
-        ))
     }
 }
 
