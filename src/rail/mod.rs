@@ -5,6 +5,7 @@ mod drive;
 mod driven_line;
 mod harmonic_load;
 mod moving_load;
+pub mod periodic;
 mod receptance;
 mod track_on_foundation;
 mod waves;
