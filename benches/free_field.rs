@@ -29,7 +29,9 @@ fn stack() -> Stack {
     let rail = Member::beam(12.76e6, 120.46, 0.0).unwrap();
     let pad = Link::spring(7e8, 0.0, 0.15).unwrap();
     let ballast = Ballast::ConsistentMass { stiffness: 3.6e8, damping: 0.0, loss_factor: 1.0, mass: 1695.8 };
-    Ballasted { rail, pad, sleeper: Sleeper { mass: 490.0 }, ballast }.stack(None).unwrap()
+    Ballasted { rails: None, rail: rail.into(), pad, sleeper: Sleeper { mass: 490.0 }, ballast }
+        .stack(None)
+        .unwrap()
 }
 
 /// Baseline: a million evaluations of G, on one thread.

@@ -3,7 +3,7 @@
 use crate::foundation::{Foundation, FoundationError, LayeredSoil, Springs};
 use crate::rail::TrackOnFoundation;
 use crate::soil::{Compatibility, Profile, Solver, Strip};
-use crate::track::Stack;
+use crate::track::{Layout, Stack};
 use crate::vehicle::Train;
 use thiserror::Error;
 
@@ -99,16 +99,20 @@ pub struct Railway {
     support: Support,
     /// Keeps what its solver prepared; None where the ground has no strip, and on springs.
     soil: Option<LayeredSoil>,
-    stack: Stack,
+    layout: Layout,
     train: Option<Train>,
 }
 
 impl Railway {
-    /// A railway from its parts: the `stack` of its track, which is empty for loads straight on the ground, and its `train`.
+    /// A railway from its parts: the `layout` of its track, an empty stack for loads straight on the ground, and its `train`.
     ///
     /// # Errors
     /// A contact width that is not positive.
-    pub fn new(support: Support, stack: Stack, train: Option<Train>) -> Result<Self, RailwayError> {
+    pub fn new(
+        support: Support,
+        layout: impl Into<Layout>,
+        train: Option<Train>,
+    ) -> Result<Self, RailwayError> {
         let soil = match &support {
             Support::Ground(Ground { profile, solver, contact }) => contact
                 .and_then(|contact| contact.strip())
@@ -116,7 +120,7 @@ impl Railway {
                 .transpose()?,
             Support::Springs(_) => None,
         };
-        Ok(Self { support, soil, stack, train })
+        Ok(Self { support, soil, layout: layout.into(), train })
     }
 
     /// The same with another `solver` of the ground; on springs nothing changes.
@@ -128,7 +132,7 @@ impl Railway {
             Support::Ground(ground) => Support::Ground(Ground { solver, ..ground.clone() }),
             Support::Springs(springs) => Support::Springs(springs.clone()),
         };
-        Self::new(support, self.stack.clone(), self.train.clone())
+        Self::new(support, self.layout.clone(), self.train.clone())
     }
 
     /// What carries the track.
@@ -144,9 +148,25 @@ impl Railway {
         }
     }
 
-    /// The track without what it stands on; empty for loads straight on the ground.
-    pub fn stack(&self) -> &Stack {
-        &self.stack
+    /// How the rail is carried along the track; an empty stack for loads straight on the ground.
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// The continuous track without what it stands on; empty for loads straight on the ground.
+    ///
+    /// # Errors
+    /// Supports that stand apart.
+    pub fn stack(&self) -> Result<&Stack, RailwayError> {
+        match &self.layout {
+            Layout::Continuous(stack) => Ok(stack),
+            Layout::Discrete(_) | Layout::Varying(_) => Err(RailwayError::Apart),
+        }
+    }
+
+    /// Whether loads stand straight on the ground.
+    pub fn is_bare(&self) -> bool {
+        self.stack().is_ok_and(Stack::is_empty)
     }
 
     /// The layered ground.
@@ -186,15 +206,16 @@ impl Railway {
     /// The track on its foundation, or a patch of load straight on it.
     ///
     /// # Errors
-    /// No foundation; a strip of ground without a track, which under a point of it sinks without end.
+    /// No foundation; supports that stand apart; a strip of ground without a track, which under a point of it sinks without end.
     pub fn track(&self) -> Result<TrackOnFoundation<'_>, RailwayError> {
         let half_length = self.ground().and_then(Ground::contact).map_or(0.0, |c| c.half_length());
         // points are refused by what they lack
         let point = self.ground().is_ok_and(|ground| ground.contact == Some(Contact::Point));
-        if self.stack.is_empty() && half_length == 0.0 && !point {
+        let stack = self.stack()?;
+        if stack.is_empty() && half_length == 0.0 && !point {
             return Err(RailwayError::NoTrack);
         }
-        Ok(TrackOnFoundation::new(&self.stack, self.foundation()?, half_length))
+        Ok(TrackOnFoundation::new(stack, self.foundation()?, half_length))
     }
 
     /// Refuses receivers, at `distances` [m] from the centre line, without layered ground or on the track.
@@ -248,6 +269,12 @@ pub enum RailwayError {
         "it needs a track: give [track] with kind = \"ballasted\", \"slab\" or \"beam\"; kind = \"none\" has no rail"
     )]
     NoTrack,
+    /// Everything must be spread along the rail.
+    #[error(
+        "its supports stand apart, and this study is of continuous tracks: without track.support all is spread along the rail; \
+         receptance, decay_rate, track_response and transition know supports"
+    )]
+    Apart,
     /// Ground under a point load sinks without end.
     #[error(
         "the ground under a point load has no finite deflection: give track.load.kind = \"patch\" with half_length and half_width, \

@@ -458,11 +458,14 @@ fn the_schema_knows_kinds() {
     let has = |family: &str, kind: &str, keys: &str| {
         assert!(kinds(family).contains(&(kind.into(), keys.into())), "{family}: {:?}", kinds(family));
     };
-    has("FoundationModel", "winkler", "damping kind loss_factor stiffness");
-    has("FoundationModel", "pasternak", "damping kind loss_factor shear stiffness");
+    has("FoundationModel", "winkler", "damping element kind loss_factor stiffness");
+    has("FoundationModel", "pasternak", "damping element kind loss_factor shear stiffness");
+    has("FoundationModel", "rigid", "kind");
+    has("Ballast", "block", "damping element kind link loss_factor mass stiffness");
+    has("Element", "zener", "damping kind second_stiffness stiffness");
     has("Ballast", "consistent-mass", "damping kind loss_factor mass stiffness");
     // keys of the track that are no kind's own stand beside the kinds
-    has("TrackInput", "slab", "kind load pad rail slab");
+    has("TrackInput", "slab", "kind load pad rail rails slab");
     has("TrackInput", "none", "kind");
     assert_eq!(schema["$defs"]["TrackInput"]["unevaluatedProperties"], false);
     assert_eq!(schema["$defs"]["TrackInput"]["oneOf"][1]["properties"]["load"], false);

@@ -307,3 +307,96 @@ fn decimal_commas_and_brackets_are_explained() {
             .contains("[name], in single brackets")
     );
 }
+
+/// A track on a foundation, with `track` and `foundation` as their keys say.
+fn on_springs(track: &str, foundation: &str) -> String {
+    format!(
+        "title = \"x\"\n[track]\n{track}\n[foundation]\n{foundation}\n[receptance]\nfrequencies = [10.0]\n"
+    )
+}
+
+const SECTION: &str = "kind = \"ballasted\"\nrails = 1\nrail.section = \"60E1\"\npad.stiffness = 3.5e8\npad.loss_factor = 0.15\n\
+                       sleeper.mass = 245.0\nballast.kind = \"spring\"\nballast.stiffness = 1.8e8\nballast.loss_factor = 1.0\n";
+const ROCK: &str = "kind = \"rigid\"";
+const ZENER: &str = "{ kind = \"zener\", stiffness = 3e8, second_stiffness = 2e8, damping = 3e5 }";
+
+#[test]
+fn elements_sections_and_rock_are_read() {
+    use groundwave::track::{Element, Link, RailSection};
+    let stack = |text: &str| {
+        let case = Case::parse(text, "case.toml", &|_| Err(String::new()));
+        let case = case.unwrap_or_else(|error| panic!("{error}\n{text}"));
+        assert!(case.concerns.is_empty(), "{:?}", case.concerns);
+        case.railway.stack().unwrap().clone()
+    };
+    let one = stack(&on_springs(SECTION, ROCK));
+    assert_eq!(one.members()[0], RailSection::E60.rail(0.0).unwrap());
+    assert_eq!(one.links()[1], Link::spring(1.8e8, 0.0, 1.0).unwrap());
+    let two = stack(&on_springs(&SECTION.replace("rails = 1", "rails = 2"), ROCK));
+    assert_eq!(two.members()[0], RailSection::E60.rail(0.0).unwrap().times(2.0));
+    let zener = Element::Zener { stiffness: 3e8, second_stiffness: 2e8, damping: 3e5 };
+    let pads =
+        SECTION.replace("pad.stiffness = 3.5e8\npad.loss_factor = 0.15", &format!("pad.element = {ZENER}"));
+    assert_eq!(stack(&on_springs(&pads, ROCK)).links()[0], Link::Element(zener));
+    // three layers, and an element under each foundation
+    let block =
+        SECTION.replace("\"spring\"", "\"block\"").replace("rails = 1", "rails = 1\nballast.mass = 848.0");
+    for (kind, more) in [
+        ("winkler", ""),
+        ("filonenko-borodich", "tension = 2e7"),
+        ("hetenyi", "bending_stiffness = 1.5e6"),
+        ("pasternak", "shear = 3e7"),
+        ("kerr", "shear = 3e7\nupper_stiffness = 9e8"),
+    ] {
+        let foundation = format!("kind = \"{kind}\"\nelement = {ZENER}\n{more}");
+        assert_eq!(stack(&on_springs(&block, &foundation)).members().len(), 3, "{kind}");
+    }
+}
+
+#[test]
+fn elements_sections_and_rock_are_refused_at_their_keys() {
+    let winkler = "kind = \"winkler\"\nstiffness = 1.2e8";
+    let beam = "kind = \"beam\"\nbeam.section = \"54E1\"\nrails = 2";
+    let element = |element: &str| on_springs(beam, &format!("kind = \"winkler\"\nelement = {element}"));
+    let pad = |pad: &str| on_springs(&SECTION.replace("pad.stiffness = 3.5e8", pad), ROCK);
+    for (text, key, said) in [
+        (on_springs(beam, "kind = \"winkler\""), "foundation", "missing key `stiffness`"),
+        (
+            on_springs(beam, "kind = \"kerr\"\nshear = 1e7\nupper_stiffness = 1e9"),
+            "foundation",
+            "`stiffness`",
+        ),
+        (on_springs(beam, "kind = \"winkler\"\nstifness = 1e8"), "foundation.stifness", "unknown key"),
+        (on_springs(beam, "kind = \"winkler\"\nstiffness = -1e8"), "foundation.stiffness", "-100000000 N/m²"),
+        (element("{ kind = \"zenner\", stiffness = 1e8 }"), "foundation.element.kind", "unknown value"),
+        (
+            element("{ kind = \"zener\", stiffness = 1e8, damping = 1e5 }"),
+            "foundation.element",
+            "`second_stiffness`",
+        ),
+        (
+            element("{ kind = \"maxwell\", stiffness = 1e8, damping = 0.0 }"),
+            "foundation.element.damping",
+            "above zero",
+        ),
+        (element(&format!("{ZENER}\ndamping = 1e5")), "foundation.element", "remove"),
+        (pad(&format!("pad.element = {ZENER}")), "track.pad.element", "remove"),
+        (on_springs(beam, ROCK), "foundation.kind", "lies on rock"),
+        (
+            on_springs(&SECTION.replace("\"spring\"", "\"block\"\nballast.mass = 9e2"), ROCK),
+            "foundation.kind",
+            "rock",
+        ),
+        (on_springs(&beam.replace("54E1", "54E9"), winkler), "track.beam.section", "54E1"),
+        (on_springs(&beam.replace("rails = 2", ""), winkler), "track", "number of rails"),
+        (on_springs(&beam.replace("rails = 2", "rails = 3"), winkler), "track.rails", "3 rails"),
+        (on_springs(&format!("{beam}\nbeam.mass = 54.0"), winkler), "track.beam.section", "remove"),
+        (on_springs("kind = \"beam\"\nbeam.mass = 54.0", winkler), "track.beam", "`bending_stiffness`"),
+    ] {
+        let found = faults(&text);
+        assert_eq!(found.len(), 1, "{found:?}\n{text}");
+        assert_eq!(found[0].key(), key, "{found:?}");
+        let help = found[0].help().map_or(String::new(), |help| help.to_string());
+        assert!(format!("{} {help}", found[0]).contains(said), "{found:?}");
+    }
+}

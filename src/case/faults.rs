@@ -114,10 +114,13 @@ impl Cuts {
 
     /// Whether `finding` only says that something is missing, or not right, where something was cut out.
     fn explain(&self, finding: &Finding) -> bool {
+        // keys that stand for others of their table
+        const INSTEAD: [&str; 2] = ["element", "section"];
         self.made.iter().any(|(path, meant)| {
             let (table, key) = path.rsplit_once('.').unwrap_or(("", path));
             let lacks = finding.lacks();
-            table == finding.path && lacks.is_none_or(|lacks| lacks == key || *meant == Some(lacks))
+            let lost = |lacks| lacks == key || *meant == Some(lacks) || INSTEAD.contains(&key);
+            table == finding.path && lacks.is_none_or(lost)
         })
     }
 

@@ -28,6 +28,7 @@ const TRAVEL: Unit = Unit {
     note: "; with its unit, as in \"250 m/s\", it is taken as meant",
 };
 const SECOND: Unit = unit("s", &[("ms", 1e-3)]);
+const HERTZ: Unit = unit("Hz", &[("kHz", 1e3)]);
 const RATIO: Unit = unit("", &[("%", 1e-2)]);
 const DENSITY: Unit = unit("kg/m³", &[("t/m³", 1e3), ("kN/m³", 1e3 / 9.81)]);
 const PRESSURE: Unit = unit("Pa", &[("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9)]);
@@ -36,6 +37,7 @@ const AXIAL: Unit = unit("N", &[("kN", 1e3), ("MN", 1e6)]);
 const KILOGRAM: Unit = unit("kg", &[("t", 1e3)]);
 const INERTIA: Unit = unit("kg m²", &[("t m²", 1e3)]);
 const LINE_MASS: Unit = unit("kg/m", &[("t/m", 1e3)]);
+const ROTARY: Unit = unit("kg m", &[("t m", 1e3)]);
 const BENDING: Unit = unit("N m²", &[("kN m²", 1e3), ("MN m²", 1e6)]);
 const LINE_SPRING: Unit = unit("N/m²", &[("kN/m²", 1e3), ("MN/m²", 1e6), ("GN/m²", 1e9)]);
 const LINE_DAMPER: Unit = unit("N s/m²", &[("kN s/m²", 1e3), ("MN s/m²", 1e6)]);
@@ -79,8 +81,26 @@ const TABLE: &[Row] = &[
     row("foundation.tension", AXIAL, ANY, (1e4, 1e10)),
     row("foundation.bending_stiffness", BENDING, ANY, (1e3, 1e11)),
     row("foundation.upper_stiffness", LINE_SPRING, (1e3, f64::INFINITY), (1e6, 1e12)),
+    row("foundation.element.stiffness", LINE_SPRING, (1e3, 1e13), (1e6, 1e10)),
+    row("foundation.element.second_stiffness", LINE_SPRING, (1e3, 1e13), (1e6, 1e10)),
+    row("foundation.element.damping", LINE_DAMPER, ANY, (1e2, 1e8)),
+    row("foundation.element.second_damping", LINE_DAMPER, ANY, (1e2, 1e8)),
+    row("track.*.element.stiffness", LINE_SPRING, (1e4, 1e14), (1e6, 2e10)),
+    row("track.*.element.second_stiffness", LINE_SPRING, (1e4, 1e14), (1e6, 2e10)),
+    row("track.*.element.damping", LINE_DAMPER, ANY, (3e2, 1e8)),
+    row("track.*.element.second_damping", LINE_DAMPER, ANY, (3e2, 1e8)),
+    row("*.element.loss_factor", RATIO, (0.0, 5.0), (0.0, 2.0)),
+    row("*.*.element.loss_factor", RATIO, (0.0, 5.0), (0.0, 2.0)),
+    row("*.element.reference_frequency", HERTZ, (1e-3, 1e6), (0.5, 1e4)),
+    row("*.*.element.reference_frequency", HERTZ, (1e-3, 1e6), (0.5, 1e4)),
     row("track.rail.bending_stiffness", BENDING, (1e3, 1e10), (2e5, 1e8)),
     row("track.rail.mass", LINE_MASS, (1.0, 1e4), (15.0, 300.0)),
+    row("track.rail.shear_stiffness", AXIAL, (1e5, 1e12), (3e7, 3e9)),
+    row("track.rail.rotary_inertia", ROTARY, (1e-4, 1e4), (0.02, 10.0)),
+    row("track.beam.shear_stiffness", AXIAL, (1e5, 1e14), (3e7, 1e12)),
+    row("track.beam.rotary_inertia", ROTARY, (1e-4, 1e8), (0.02, 1e6)),
+    row("track.slab.shear_stiffness", AXIAL, (1e5, 1e14), (3e7, 1e12)),
+    row("track.slab.rotary_inertia", ROTARY, (1e-4, 1e8), (0.02, 1e6)),
     row("track.pad.stiffness", LINE_SPRING, (1e5, 1e14), (5e6, 2e10)),
     row("track.pad.damping", LINE_DAMPER, ANY, (3e2, 1e7)),
     row("track.sleeper.mass", LINE_MASS, (1.0, 1e5), (20.0, 3000.0)),
@@ -92,6 +112,11 @@ const TABLE: &[Row] = &[
     row("track.ballast.stiffness", LINE_SPRING, (1e4, 1e13), (5e6, 2e10)),
     row("track.ballast.damping", LINE_DAMPER, ANY, (3e2, 1e8)),
     row("track.ballast.mass", LINE_MASS, (5.0, 1e6), (100.0, 2e4)),
+    row("track.ballast.link.stiffness", SPRING, (1e3, 1e12), (1e5, 1e10)),
+    row("track.ballast.link.damping", DAMPER, ANY, (1e2, 1e8)),
+    row("track.support.spacing", METRE, (0.05, 100.0), (0.4, 5.0)),
+    row("track.support.width", METRE, (0.005, 100.0), (0.1, 3.0)),
+    row("track.section[].length", METRE, (0.05, 1e6), (0.4, 1e4)),
     row("track.slab.bending_stiffness", BENDING, (1e3, 1e13), (1e6, 1e11)),
     row("track.slab.mass", LINE_MASS, (10.0, 1e6), (200.0, 3e4)),
     row("track.beam.bending_stiffness", BENDING, (1e3, 1e13), (2e5, 1e11)),
@@ -224,6 +249,11 @@ pub fn review(root: &str, name: &str, text: &str) -> (Vec<CaseError>, Vec<Concer
         .into_iter()
         .map(|(path, value)| {
             let whole = if root.is_empty() { path.clone() } else { format!("{root}.{path}") };
+            // a section has the keys of its track
+            let whole = match whole.strip_prefix("track.section[").and_then(|rest| rest.split_once("].")) {
+                Some((_, "length")) | None => whole,
+                Some((_, key)) => format!("track.{key}"),
+            };
             (whole, path, value)
         })
         .collect();

@@ -139,10 +139,34 @@ pub struct TrackInput {
     pub contact: Option<Strip>,
     /// How each axle presses on the ground (none).
     pub load: Option<LoadInput>,
+    /// Supports that stand apart; without them everything is spread along the rail.
+    pub support: Option<SupportInput>,
+    /// Sections one after another, each with the keys of [track] that differ in it.
+    #[serde(default)]
+    #[schemars(with = "Vec<SectionInput>")]
+    pub section: Vec<toml::Table>,
     /// The track itself.
     #[serde(rename = "$rest")]
     #[schemars(flatten)]
     pub track: Track,
+}
+
+/// `track.support`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SupportInput {
+    /// L [m]: every support carries L × the values per metre.
+    pub spacing: f64,
+    /// w [m], width of a sleeper along the track, on ground that feels its neighbours.
+    pub width: Option<f64>,
+}
+
+/// `[[track.section]]`: any key of [track] that differs, and
+#[derive(JsonSchema)]
+pub struct SectionInput {
+    /// [m], a whole number of bays; none for the first and the last section, which never end.
+    #[expect(dead_code, reason = "read key by key, after the keys of [track]")]
+    length: Option<f64>,
 }
 
 /// `track.load`

@@ -1,6 +1,6 @@
 //! Filonenko-Borodich's foundation: springs under a stretched membrane.
 
-use crate::track::{Link, Member, Stack, TrackError};
+use crate::track::{Link, Member, Spring, Stack, TrackError};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -8,14 +8,10 @@ use serde::Deserialize;
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct FilonenkoBorodich {
-    /// k [N/m²]
-    pub stiffness: f64,
-    /// c [N s/m²]
-    #[serde(default)]
-    pub damping: f64,
-    /// η of the springs
-    #[serde(default)]
-    pub loss_factor: f64,
+    /// k and its losses, or another element
+    #[serde(rename = "$rest:stiffness")]
+    #[schemars(flatten, with = "Spring")]
+    pub springs: Link,
     /// T [N]
     pub tension: f64,
 }
@@ -23,7 +19,6 @@ pub struct FilonenkoBorodich {
 impl FilonenkoBorodich {
     /// Membrane – springs.
     pub(super) fn stack(&self) -> Result<Stack, TrackError> {
-        let springs = Link::spring(self.stiffness, self.damping, self.loss_factor)?;
-        Ok(Stack::new(vec![Member::string(self.tension, 0.0)?], vec![springs]))
+        Ok(Stack::new(vec![Member::string(self.tension, 0.0)?], vec![self.springs]))
     }
 }

@@ -1,7 +1,7 @@
 //! Kerr's foundation: springs on a layer that shears on springs.
 
 use crate::quantity::{not_negative, positive};
-use crate::track::{Link, Member, Stack, TrackError};
+use crate::track::{Link, Member, Spring, Stack, TrackError};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -9,14 +9,10 @@ use serde::Deserialize;
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Kerr {
-    /// k₂ [N/m²], the lower springs
-    pub stiffness: f64,
-    /// c of the lower springs [N s/m²]
-    #[serde(default)]
-    pub damping: f64,
-    /// η of the lower springs
-    #[serde(default)]
-    pub loss_factor: f64,
+    /// k₂ of the lower springs and their losses, or another element
+    #[serde(rename = "$rest:stiffness")]
+    #[schemars(flatten, with = "Spring")]
+    pub springs: Link,
     /// G [N]
     pub shear: f64,
     /// k₁ [N/m²], the upper springs, which lose nothing
@@ -28,7 +24,6 @@ impl Kerr {
     pub(super) fn stack(&self) -> Result<Stack, TrackError> {
         let upper = Link::spring(positive("upper_stiffness", self.upper_stiffness, "N/m²")?, 0.0, 0.0)?;
         let layer = Member::string(not_negative("shear", self.shear, "N")?, 0.0)?;
-        let lower = Link::spring(self.stiffness, self.damping, self.loss_factor)?;
-        Ok(Stack::new(vec![Member::mass(0.0)?, layer], vec![upper, lower]))
+        Ok(Stack::new(vec![Member::mass(0.0)?, layer], vec![upper, self.springs]))
     }
 }

@@ -1,7 +1,7 @@
 //! Pasternak's foundation: springs under a layer that shears.
 
 use crate::quantity::not_negative;
-use crate::track::{Link, Member, Stack, TrackError};
+use crate::track::{Link, Member, Spring, Stack, TrackError};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -9,14 +9,10 @@ use serde::Deserialize;
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Pasternak {
-    /// k [N/m²]
-    pub stiffness: f64,
-    /// c [N s/m²]
-    #[serde(default)]
-    pub damping: f64,
-    /// η of the springs
-    #[serde(default)]
-    pub loss_factor: f64,
+    /// k and its losses, or another element
+    #[serde(rename = "$rest:stiffness")]
+    #[schemars(flatten, with = "Spring")]
+    pub springs: Link,
     /// G [N]
     pub shear: f64,
 }
@@ -24,8 +20,7 @@ pub struct Pasternak {
 impl Pasternak {
     /// Shear layer – springs.
     pub(super) fn stack(&self) -> Result<Stack, TrackError> {
-        let springs = Link::spring(self.stiffness, self.damping, self.loss_factor)?;
         let layer = Member::string(not_negative("shear", self.shear, "N")?, 0.0)?;
-        Ok(Stack::new(vec![layer], vec![springs]))
+        Ok(Stack::new(vec![layer], vec![self.springs]))
     }
 }

@@ -1,7 +1,7 @@
 //! Foundations of springs: whatever a stack of members and links on rigid rock says at its top.
 
-use super::{Foundation, FoundationError, FoundationModel, Moving, Stiffness, Winkler};
-use crate::track::Stack;
+use super::{Asked, Foundation, FoundationError, FoundationModel, Grain, Stiffness, Winkler};
+use crate::track::{Link, Member, Stack};
 use num_complex::Complex64;
 use serde::Deserialize;
 
@@ -27,7 +27,8 @@ impl Springs {
     /// # Errors
     /// A stiffness that is not positive, negative damping.
     pub fn winkler(stiffness: f64, damping: f64, loss_factor: f64) -> Result<Self, FoundationError> {
-        Self::new(FoundationModel::Winkler(Winkler { stiffness, damping, loss_factor }))
+        let springs = Link::spring(stiffness, damping, loss_factor)?;
+        Self::new(FoundationModel::Winkler(Winkler { springs }))
     }
 
     /// What they were made from.
@@ -35,7 +36,17 @@ impl Springs {
         &self.model
     }
 
-    /// k(β, ω) [N/m²], exact; `beta2` = β² may be complex.
+    /// Its members and links, which stand on rock.
+    pub fn stack(&self) -> &Stack {
+        &self.stack
+    }
+
+    /// Whether neighbours feel one another: k depends on β.
+    pub fn joined(&self) -> bool {
+        self.stack.members().iter().any(Member::joins)
+    }
+
+    /// k(β, ω) [N/m²], exact, infinite for rock; `beta2` = β² may be complex.
     pub fn at(&self, beta2: Complex64, omega: f64) -> Complex64 {
         self.stack.on_rock(beta2, omega)
     }
@@ -50,24 +61,17 @@ impl TryFrom<FoundationModel> for Springs {
 }
 
 impl Foundation for Springs {
-    fn stiffness_to(&self, beta: f64, omega: f64, _relative: f64) -> Result<Stiffness, FoundationError> {
-        Ok(Stiffness {
-            value: self.at((beta * beta).into(), omega),
-            relative_error: 0.0,
-            converged: true,
-            count: 0,
-        })
+    fn check(&self, omega: f64) -> Result<(), FoundationError> {
+        Ok(self.stack.check(omega)?)
     }
 
-    fn moving(
-        &self,
-        speed: f64,
-        _from: f64,
-        _to: f64,
-        _allowed: &dyn Fn(f64, Complex64) -> f64,
-    ) -> Result<Moving<'_>, FoundationError> {
-        let along = move |beta: f64| self.at((beta * beta).into(), -beta * speed);
-        Ok(Moving { stiffness: Box::new(along), worst: 0.0, count: 0 })
+    fn answer(&self, asked: Asked) -> Result<Stiffness, FoundationError> {
+        let value = self.at((asked.beta * asked.beta).into(), asked.omega);
+        Ok(Stiffness { value, relative_error: 0.0, converged: true, count: 0 })
+    }
+
+    fn grain(&self) -> Grain {
+        Grain::Formula
     }
 }
 
@@ -76,6 +80,7 @@ mod tests {
     use super::super::{FilonenkoBorodich, Hetenyi, Kerr, Pasternak};
     use super::*;
     use crate::math::complex::{I, sign};
+    use crate::track::Element;
 
     #[test]
     fn stacks_are_the_closed_forms() {
@@ -84,38 +89,20 @@ mod tests {
         for omega in [-700.0, 0.0, 60.0] {
             let k = stiffness * (1.0 + I * loss_factor * sign(omega)) + I * omega * damping;
             for beta2 in [Complex64::ZERO, 0.25.into(), 400.0.into(), Complex64::new(-1.0, 3.0)] {
+                let springs = Link::spring(stiffness, damping, loss_factor).unwrap();
                 for (model, exact) in [
-                    (FoundationModel::Winkler(Winkler { stiffness, damping, loss_factor }), k),
+                    (FoundationModel::Winkler(Winkler { springs }), k),
                     (
-                        FoundationModel::FilonenkoBorodich(FilonenkoBorodich {
-                            stiffness,
-                            damping,
-                            loss_factor,
-                            tension: n,
-                        }),
+                        FoundationModel::FilonenkoBorodich(FilonenkoBorodich { springs, tension: n }),
                         k + n * beta2,
                     ),
                     (
-                        FoundationModel::Hetenyi(Hetenyi {
-                            stiffness,
-                            damping,
-                            loss_factor,
-                            bending_stiffness: d,
-                        }),
+                        FoundationModel::Hetenyi(Hetenyi { springs, bending_stiffness: d }),
                         k + d * beta2 * beta2,
                     ),
+                    (FoundationModel::Pasternak(Pasternak { springs, shear: n }), k + n * beta2),
                     (
-                        FoundationModel::Pasternak(Pasternak { stiffness, damping, loss_factor, shear: n }),
-                        k + n * beta2,
-                    ),
-                    (
-                        FoundationModel::Kerr(Kerr {
-                            stiffness,
-                            damping,
-                            loss_factor,
-                            shear: n,
-                            upper_stiffness,
-                        }),
+                        FoundationModel::Kerr(Kerr { springs, shear: n, upper_stiffness }),
                         upper_stiffness * (k + n * beta2) / (upper_stiffness + k + n * beta2),
                     ),
                 ] {
@@ -130,12 +117,43 @@ mod tests {
     #[test]
     fn what_is_out_of_range_is_named_by_its_key() {
         let kerr = |stiffness, shear, upper_stiffness| {
-            let model = Kerr { stiffness, damping: 0.0, loss_factor: 0.0, shear, upper_stiffness };
+            let springs = Link::spring(stiffness, 0.0, 0.0).map_err(|error| error.to_string())?;
+            let model = Kerr { springs, shear, upper_stiffness };
             Springs::new(FoundationModel::Kerr(model)).map_err(|error| error.to_string())
         };
         assert!(kerr(1e8, 0.0, 1e8).is_ok());
         assert!(kerr(0.0, 1e7, 1e8).is_err_and(|e| e.contains("stiffness is 0 N/m²")));
         assert!(kerr(1e8, -1e7, 1e8).is_err_and(|e| e.contains("shear is -10000000 N")));
         assert!(kerr(1e8, 1e7, -1.0).is_err_and(|e| e.contains("upper_stiffness is -1 N/m²")));
+    }
+
+    #[test]
+    fn rock_is_the_limit_of_stiff_springs() {
+        let pads = Stack::new(
+            vec![Member::beam(6e6, 60.0, 0.0).unwrap()],
+            vec![Link::spring(2e8, 3e4, 0.0).unwrap()],
+        );
+        let rock = Springs::new(FoundationModel::Rigid).unwrap();
+        let stiff = Springs::winkler(1e25, 0.0, 0.0).unwrap();
+        for omega in [-300.0, 0.0, 2000.0] {
+            let on = |springs: &Springs| pads.respond(0.7, omega, springs.at(0.49.into(), omega));
+            let (rock, stiff) = (on(&rock), on(&stiff));
+            // measured 0: the springs are 1e-17 of what stands on them
+            assert!((rock.rail - stiff.rail).norm() < 1e-15 * rock.rail.norm());
+            assert!((rock.force - stiff.force).norm() < 1e-15 * rock.force.norm());
+            assert_eq!(rock.base, Complex64::ZERO);
+        }
+    }
+
+    #[test]
+    fn springs_that_creep_say_so() {
+        let element = Element::Maxwell { stiffness: 1e8, damping: 1e5 };
+        let creeping =
+            Springs::new(FoundationModel::Winkler(Winkler { springs: Link::Element(element) })).unwrap();
+        assert!(
+            creeping.check(0.0).is_err_and(|e| e.to_string().contains("maxwell"))
+                && creeping.check(1.0).is_ok()
+        );
+        assert!(Springs::winkler(1e8, 0.0, 0.1).unwrap().check(0.0).is_ok());
     }
 }

@@ -1,6 +1,6 @@
 //! Winkler's foundation: independent springs.
 
-use crate::track::{Link, Member, Stack, TrackError};
+use crate::track::{Link, Member, Spring, Stack, TrackError};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -8,20 +8,15 @@ use serde::Deserialize;
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Winkler {
-    /// k [N/m²]
-    pub stiffness: f64,
-    /// c [N s/m²]
-    #[serde(default)]
-    pub damping: f64,
-    /// η
-    #[serde(default)]
-    pub loss_factor: f64,
+    /// k and its losses, or another element
+    #[serde(rename = "$rest:stiffness")]
+    #[schemars(flatten, with = "Spring")]
+    pub springs: Link,
 }
 
 impl Winkler {
     /// Springs under nothing.
     pub(super) fn stack(&self) -> Result<Stack, TrackError> {
-        let springs = Link::spring(self.stiffness, self.damping, self.loss_factor)?;
-        Ok(Stack::new(vec![Member::mass(0.0)?], vec![springs]))
+        Ok(Stack::new(vec![Member::mass(0.0)?], vec![self.springs]))
     }
 }

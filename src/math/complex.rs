@@ -11,6 +11,15 @@ pub fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x.signum() }
 }
 
+/// 1/z, with 1/∞ = 0 and 1/0 = ∞: compliance of a stiffness and back, also of rigid rock.
+#[inline]
+pub fn reciprocal(z: Complex64) -> Complex64 {
+    if z.re == f64::INFINITY {
+        return Complex64::ZERO;
+    }
+    if z == Complex64::ZERO { f64::INFINITY.into() } else { 1.0 / z }
+}
+
 /// √z with Re √z ≥ 0: the root whose wave e^{−√z·depth} decays or leaves.
 ///
 /// On the cut (z real and negative) the imaginary part is positive, the outgoing wave of e^{iωt} for ω > 0.

@@ -11,15 +11,14 @@
 //!
 //! Source: Lamprea-Pineda et al. 2022, Eqs 85–87 and application 3.
 
+use super::drive::HARMONIC_ACCURACY as ACCURACY;
 use super::waves::Waves;
-use super::{InteractionError, TrackOnFoundation};
+use super::{Drive, InteractionError, TrackOnFoundation};
 use crate::math::quadrature::{Adaptive, Estimate, Tolerance};
 use crate::soil::strip::sinc;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Wanted error of the integral relative to the receptance under the load.
-pub(super) const ACCURACY: f64 = 1e-4;
 /// Evaluations of the track allowed (the foundation is interpolated).
 const MAX_COUNT: usize = 600_000;
 
@@ -48,9 +47,10 @@ impl TrackOnFoundation<'_> {
     /// # Errors
     /// A foundation that cannot answer; a response that diverges.
     pub fn harmonic(&self, omega: f64, speed: f64, reach: f64) -> Result<HarmonicLoad, InteractionError> {
-        let line = self.driven_line(omega, speed)?;
+        let drive = Drive { omega, speed };
+        let line = self.harmonic_line(drive)?;
         let mut rail = |beta: f64| {
-            let u = self.stack.respond(beta, omega - beta * speed, line.stiffness(beta));
+            let u = self.stack.respond(beta, drive.at(beta), line.stiffness(beta));
             u.rail * sinc(beta * self.half_length)
         };
         // panels: from the origin outward, finer than fifteen nodes can follow e^{iβx′}
@@ -89,7 +89,7 @@ impl TrackOnFoundation<'_> {
         Ok(HarmonicLoad {
             // standing, it is even in β
             waves: if speed == 0.0 { waves.mirrored() } else { waves },
-            converged: estimate.converged && faded && line.converged,
+            converged: estimate.converged && faded && line.worst <= 1.0,
         })
     }
 }

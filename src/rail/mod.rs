@@ -2,7 +2,6 @@
 
 mod beam_waves;
 mod drive;
-mod driven_line;
 mod harmonic_load;
 mod moving_load;
 pub mod periodic;

@@ -103,8 +103,8 @@ impl<'a> TrackOnFoundation<'a> {
             let response = self.stack.respond(beta, omega, stiffness);
             let u = response.rail.norm() * load;
             sum += u * beta * STEP;
-            // what the foundation adds to the rail's deflection, q²/k, q = k u_base the force handed down
-            let added = response.base.norm_sqr() * stiffness.norm();
+            // what the foundation adds to the rail's deflection, q²/k, q the force handed down
+            let added = response.force.norm_sqr() / stiffness.norm();
             unfelt.step(beta, added * beta <= 0.1 * ACCURACY * sum);
             faded.step(beta, u * beta < 0.5 * ACCURACY * sum);
             let bounded = beta <= BETA_CAP || self.half_length > 0.0;

@@ -17,7 +17,7 @@ pub use contour::{Contour, GroundMaps};
 pub use critical_speed::{CriticalSpeed, Hump, Peak, Plateau, SpeedCurve, SpeedCurves};
 pub use dispersion::{Crossing, Dispersion, DispersionCurves};
 pub use equivalent_stiffness::{EquivalentStiffness, StiffnessTable};
-pub use free_field::{Carrier, FreeField, Irregularity, Roughness};
+pub use free_field::{Carrier, FreeField, Irregularity, PassVelocities, Roughness};
 pub use receptance::{Receptance, ReceptanceMap, Receptances, Surface};
 pub use surface_compliance::{Compliances, SurfaceComplianceTable};
 pub use track_response::{Record, TrackResponse, TrackShapes, same_speed, tag};
@@ -111,7 +111,7 @@ impl Study {
     pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
         match self {
             Self::CriticalSpeed(study) => study.run(railway, observer),
-            Self::Dispersion(study) => study.run(railway.ground()?, railway.stack(), observer),
+            Self::Dispersion(study) => study.run(railway.ground()?, railway.stack().ok(), observer),
             Self::TrackResponse(study) => study.run(railway, observer),
             Self::Contour(study) => study.run(railway, observer),
             Self::Receptance(study) => study.run(railway, observer),

@@ -1,6 +1,7 @@
 //! How the ballast of a track is modelled, per metre of whole track.
 
-use super::{Link, TrackError};
+use super::link::Spring;
+use super::{Link, Member, TrackError};
 use crate::quantity::{between, not_negative, positive};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -41,6 +42,25 @@ pub enum Ballast {
         /// m_b [kg/m]
         mass: f64,
     },
+    /// Springs, or another element, without mass: two layers, on rock or on more springs.
+    Spring {
+        /// k_b, or the element
+        #[serde(rename = "$rest:stiffness")]
+        #[schemars(flatten, with = "Spring")]
+        spring: Link,
+    },
+    /// The same above a mass that lies on the foundation: three layers, on springs.
+    Block {
+        /// m_b [kg/m]
+        mass: f64,
+        /// Between the blocks under neighbouring supports, k_w [N/m] and c_w [N s/m], or the element
+        #[schemars(with = "Option<Spring>")]
+        link: Option<Link>,
+        /// k_b, or the element
+        #[serde(rename = "$rest:stiffness")]
+        #[schemars(flatten, with = "Spring")]
+        spring: Link,
+    },
 }
 
 impl Ballast {
@@ -67,7 +87,16 @@ impl Ballast {
                 loss_factor: not_negative("ballast.loss_factor", loss_factor, "")?,
                 mass: not_negative("ballast.mass", mass, "kg/m")?,
             },
+            Self::Spring { spring } | Self::Block { spring, .. } => spring,
         })
+    }
+
+    /// The mass at its foot; None for the massless base.
+    pub(super) fn foot(&self) -> Result<Option<Member>, TrackError> {
+        match *self {
+            Self::Block { mass, .. } => Ok(Some(Member::mass(not_negative("ballast.mass", mass, "kg/m")?)?)),
+            _ => Ok(None),
+        }
     }
 }
 

@@ -2,9 +2,11 @@
 
 use super::{Element, TrackError};
 use crate::math::complex::sign;
+use crate::quantity::keyed;
 use num_complex::Complex64;
-use schemars::JsonSchema;
-use serde::Deserialize;
+use schemars::{JsonSchema, Schema};
+use serde::Deserialize as DeriveDeserialize;
+use serde::de::{Deserialize, Deserializer, Error};
 
 /// Stiffness of a link between an upper and a lower degree of freedom, [[upper, cross], [cross, lower]] [N/m²].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,9 +38,8 @@ impl LinkStiffness {
     }
 }
 
-/// A vertical link, per metre of track; in a case file a spring.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
-#[serde(try_from = "Spring")]
+/// A vertical link, per metre of track; in a case file a spring or another element.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Link {
     /// Springs and dashpots without mass: rail pads.
     Element(Element),
@@ -66,25 +67,45 @@ pub enum Link {
     },
 }
 
-/// Springs under rails, as a case file says them.
-#[derive(Deserialize, JsonSchema)]
+/// Springs as a case file says them.
+#[derive(DeriveDeserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Spring {
+#[schemars(transform = stiffness_or_element)]
+pub struct Spring {
     /// k [N/m²]
-    stiffness: f64,
-    /// c [N s/m²]
-    #[serde(default)]
-    damping: f64,
-    /// η
-    #[serde(default)]
-    loss_factor: f64,
+    stiffness: Option<f64>,
+    /// c [N s/m²]; 0 by default
+    damping: Option<f64>,
+    /// η; 0 by default
+    loss_factor: Option<f64>,
+    /// Other arrangements of springs and dashpots, instead of the three
+    element: Option<Element>,
 }
 
-impl TryFrom<Spring> for Link {
-    type Error = TrackError;
+fn stiffness_or_element(schema: &mut Schema) {
+    schema.insert(
+        "oneOf".into(),
+        serde_json::json!([{ "required": ["stiffness"] }, { "required": ["element"] }]),
+    );
+}
 
-    fn try_from(spring: Spring) -> Result<Self, TrackError> {
-        Self::spring(spring.stiffness, spring.damping, spring.loss_factor)
+impl<'de> Deserialize<'de> for Link {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let Spring { stiffness, damping, loss_factor, element } = Spring::deserialize(deserializer)?;
+        let element = match (stiffness, element) {
+            (Some(stiffness), None) => Element::Spring {
+                stiffness,
+                damping: damping.unwrap_or_default(),
+                loss_factor: loss_factor.unwrap_or_default(),
+            },
+            (None, Some(element)) if damping.is_none() && loss_factor.is_none() => element,
+            (None, None) => return Err(D::Error::missing_field("stiffness")),
+            (_, Some(_)) => {
+                let more = "an element has all its springs and dashpots in its own table: remove stiffness, damping and loss_factor beside it";
+                return Err(D::Error::custom(keyed("element", more)));
+            }
+        };
+        element.checked().map(Self::Element).map_err(D::Error::custom)
     }
 }
 
@@ -95,6 +116,26 @@ impl Link {
     /// A stiffness that is not positive, negative damping.
     pub fn spring(stiffness: f64, damping: f64, loss_factor: f64) -> Result<Self, TrackError> {
         Ok(Self::Element(Element::spring(stiffness, damping, loss_factor)?))
+    }
+
+    /// Refuses `omega` [rad/s] at which it is no spring.
+    ///
+    /// # Errors
+    /// As [`Element::check`].
+    pub fn check(&self, omega: f64) -> Result<(), TrackError> {
+        if let Self::Element(element) = self { element.check(omega) } else { Ok(()) }
+    }
+
+    /// `count` of them abreast.
+    pub fn times(mut self, count: f64) -> Self {
+        match &mut self {
+            Self::Element(element) => *element = element.times(count),
+            Self::Bars { axial_stiffness, .. } => *axial_stiffness *= count,
+            Self::ConsistentMass { stiffness, damping, mass, .. } => {
+                (*stiffness, *damping, *mass) = (count * *stiffness, count * *damping, count * *mass);
+            }
+        }
+        self
     }
 
     /// The same link without dissipation.

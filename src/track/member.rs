@@ -1,6 +1,6 @@
 //! What lies along the track: beams, strings and continuous masses.
 
-use super::{Element, TrackError};
+use super::{Element, Rayleigh, TrackError};
 use crate::math::complex::{I, sign};
 use crate::quantity::{not_negative, positive};
 use num_complex::Complex64;
@@ -23,24 +23,25 @@ pub struct Member {
     mass: f64,
     /// η of EI and κGA.
     loss_factor: f64,
+    rayleigh: Rayleigh,
 }
 
 /// A beam along the track, as a case file says it.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Beam {
+pub struct Beam {
     /// EI [N m²]
-    bending_stiffness: f64,
+    pub bending_stiffness: f64,
     /// [kg/m]
-    mass: f64,
+    pub mass: f64,
     /// κGA [N]; with it a Timoshenko beam
-    shear_stiffness: Option<f64>,
+    pub shear_stiffness: Option<f64>,
     /// ρI [kg m]
     #[serde(default)]
-    rotary_inertia: f64,
+    pub rotary_inertia: f64,
     /// η of EI and κGA
     #[serde(default)]
-    loss_factor: f64,
+    pub loss_factor: f64,
 }
 
 impl TryFrom<Beam> for Member {
@@ -73,6 +74,7 @@ impl Member {
             tension: None,
             mass: not_negative("mass", mass, "kg/m")?,
             loss_factor: not_negative("loss_factor", loss_factor, "")?,
+            rayleigh: Rayleigh::default(),
         })
     }
 
@@ -111,6 +113,12 @@ impl Member {
         Self { tension: Some(element), ..self }
     }
 
+    /// The same member with damping α₁ of its mass and inertia and α₂ of its EI and κGA, besides its loss factor; springs under it
+    /// have their own, c = α₂k.
+    pub fn damped(self, rayleigh: Rayleigh) -> Self {
+        Self { rayleigh, ..self }
+    }
+
     /// A continuous `mass` [kg/m] that neither bends nor shears.
     ///
     /// # Errors
@@ -119,9 +127,30 @@ impl Member {
         Self::beam(0.0, mass, 0.0)
     }
 
+    /// `count` such members side by side.
+    pub fn times(self, count: f64) -> Self {
+        Self {
+            bending_stiffness: count * self.bending_stiffness,
+            shear_compliance: self.shear_compliance / count,
+            rotary_inertia: count * self.rotary_inertia,
+            tension: self.tension.map(|tension| tension.times(count)),
+            mass: count * self.mass,
+            ..self
+        }
+    }
+
+    /// Refuses `omega` [rad/s] at which its tension is no spring.
+    ///
+    /// # Errors
+    /// As [`Element::check`].
+    pub fn check(&self, omega: f64) -> Result<(), TrackError> {
+        self.tension.map_or(Ok(()), |tension| tension.check(omega))
+    }
+
     /// The same member without dissipation.
     pub fn undamped(self) -> Self {
-        Self { loss_factor: 0.0, tension: self.tension.map(Element::undamped), ..self }
+        let rayleigh = Rayleigh::default();
+        Self { loss_factor: 0.0, rayleigh, tension: self.tension.map(Element::undamped), ..self }
     }
 
     /// Neither bends nor shears: a mass.
@@ -134,10 +163,15 @@ impl Member {
         !self.is_mass()
     }
 
-    /// EI(1 + iη sgn ω) [N m²] and (1 + iη sgn ω)⁻¹/κGA [1/N].
+    /// EI(1 + iη sgn ω + iωα₂) [N m²] and 1/κGA(1 + iη sgn ω + iωα₂) [1/N].
     fn moduli(&self, omega: f64) -> (Complex64, Complex64) {
-        let loss = Complex64::new(1.0, self.loss_factor * sign(omega));
+        let loss = Complex64::new(1.0, self.loss_factor * sign(omega) + omega * self.rayleigh.of_stiffness);
         (self.bending_stiffness * loss, self.shear_compliance / loss)
+    }
+
+    /// ω² − iωα₁ [1/s²], which times a mass is its inertia
+    fn inertia(&self, omega: f64) -> Complex64 {
+        Complex64::new(omega * omega, -omega * self.rayleigh.of_mass)
     }
 
     fn tension(&self, omega: f64) -> Complex64 {
@@ -149,8 +183,9 @@ impl Member {
     #[inline]
     pub fn stiffness(&self, beta2: Complex64, omega: f64) -> Complex64 {
         let (bending, shear) = self.moduli(omega);
-        let b = bending * beta2 - omega * omega * self.rotary_inertia;
-        (b / (1.0 + b * shear) + self.tension(omega)) * beta2 - omega * omega * self.mass
+        let inertia = self.inertia(omega);
+        let b = bending * beta2 - inertia * self.rotary_inertia;
+        (b / (1.0 + b * shear) + self.tension(omega)) * beta2 - inertia * self.mass
     }
 
     /// Numerator n₀ + n₁X and denominator d₀ + d₁X + d₂X² in X = β² of ũ = 1/(`stiffness` + K) on springs of K = `support` [N/m²].
@@ -158,9 +193,9 @@ impl Member {
     /// n = 1 + b/κGA, d = (NX + K − ω²m) n + bX, b = EI X − ρIω².
     pub fn rational(&self, omega: f64, support: Complex64) -> ([Complex64; 2], [Complex64; 3]) {
         let (bending, shear) = self.moduli(omega);
-        let (inertia, tension) = (omega * omega * self.rotary_inertia, self.tension(omega));
+        let (inertia, tension) = (self.inertia(omega) * self.rotary_inertia, self.tension(omega));
         let n = [1.0 - shear * inertia, shear * bending];
-        let rest = support - omega * omega * self.mass;
+        let rest = support - self.inertia(omega) * self.mass;
         (n, [rest * n[0], rest * n[1] + tension * n[0] - inertia, tension * n[1] + bending])
     }
 
@@ -170,7 +205,7 @@ impl Member {
     /// φ = iβ/(1 + b/κGA), −Q = −iβ b/(1 + b/κGA) (and −iβN), −M = −EI iβφ, b = EIβ² − ρIω².
     pub fn carried(&self, beta: Complex64, omega: f64) -> [Complex64; 3] {
         let (bending, shear) = self.moduli(omega);
-        let b = bending * beta * beta - omega * omega * self.rotary_inertia;
+        let b = bending * beta * beta - self.inertia(omega) * self.rotary_inertia;
         let slope = I * beta;
         let rotation = slope / (1.0 + b * shear);
         [rotation, -(rotation * b + slope * self.tension(omega)), -bending * slope * rotation]

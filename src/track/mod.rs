@@ -2,25 +2,29 @@
 
 mod ballast;
 pub mod ballasted;
+mod damping;
 mod element;
 mod link;
 mod member;
+mod section;
 pub mod slab;
 mod stack;
 mod supports;
 
 pub use ballast::Ballast;
 pub use ballasted::{Ballasted, Sleeper};
+pub use damping::{Caughey, Rayleigh};
 pub use element::Element;
-pub use link::{Link, LinkStiffness};
+pub use link::{Link, LinkStiffness, Spring};
 pub use member::Member;
+pub use section::{Rail, Rails, Section as RailSection};
 pub use slab::Slab;
 pub use stack::{Displacements, Stack};
 pub use supports::{Layout, Section, Supports};
 
 use crate::quantity::OutOfRange;
-use member::Beam;
 use schemars::JsonSchema;
+use section::RailKeys;
 use serde::Deserialize;
 use thiserror::Error;
 
@@ -35,15 +39,38 @@ pub enum Track {
     Slab(Slab),
     /// One beam.
     Beam {
+        /// How many rails all numbers stand for; the whole track by default, and to be said of a section.
+        rails: Option<Rails>,
         /// Rails, track and embankment together.
-        #[schemars(with = "Beam")]
-        beam: Member,
+        #[schemars(with = "RailKeys")]
+        beam: Rail,
     },
     /// Axles straight on the ground.
     None,
 }
 
 impl Track {
+    /// How many rails its numbers stand for: two, the whole track, unless it says one.
+    pub fn rails(&self) -> Rails {
+        match self {
+            Self::Ballasted(Ballasted { rails, .. })
+            | Self::Slab(Slab { rails, .. })
+            | Self::Beam { rails, .. } => rails.unwrap_or_default(),
+            Self::None => Rails::Two,
+        }
+    }
+
+    /// What joins the ballast under neighbouring supports [N/m].
+    pub fn between(&self) -> Option<Element> {
+        match self {
+            Self::Ballasted(Ballasted {
+                ballast: Ballast::Block { link: Some(Link::Element(link)), .. },
+                ..
+            }) => Some(*link),
+            _ => None,
+        }
+    }
+
     /// Its members and links; `half_width` [m] is half of the contact with the ground, as far as there is one.
     ///
     /// # Errors
@@ -51,8 +78,8 @@ impl Track {
     pub fn stack(&self, half_width: Option<f64>) -> Result<Stack, TrackError> {
         match self {
             Self::Ballasted(track) => track.stack(half_width),
-            Self::Slab(track) => Ok(track.stack()),
-            Self::Beam { beam } => Ok(Stack::new(vec![*beam], vec![])),
+            Self::Slab(track) => track.stack(),
+            Self::Beam { rails, beam } => Ok(Stack::new(vec![beam.member(*rails)?], vec![])),
             Self::None => Ok(Stack::default()),
         }
     }
@@ -73,4 +100,45 @@ pub enum TrackError {
     /// Bars with both.
     #[error("the wave speed is given twice")]
     WaveSpeedTwice,
+    /// Supports under nothing.
+    #[error("there is no rail for supports to carry")]
+    NoRail,
+    /// Springs between supports without masses.
+    #[error("springs between neighbouring supports need a mass under each to hold them")]
+    NothingToJoin,
+    /// Numbers for no rail, or for many.
+    #[error("found {found} rails: a track has 2, and its numbers may stand for 1 of them")]
+    Rails {
+        /// As given.
+        found: u8,
+    },
+    /// A section, which is one rail, without their number.
+    #[error("the number of rails is missing: a section is one rail")]
+    RailsMissing,
+    /// Damping of modes that are not told apart, or of another number of modes.
+    #[error(
+        "found {modes} modes and {ratios} damping ratios: each mode has one, and no two have one frequency"
+    )]
+    Modes {
+        /// Frequencies given.
+        modes: usize,
+        /// Ratios given.
+        ratios: usize,
+    },
+    /// Springs and dashpots that give way under any force that lasts.
+    #[error("element \"{element}\" gives way under a force that lasts: it has no static stiffness")]
+    NoStatics {
+        /// Its name.
+        element: &'static str,
+    },
+    /// Causal hysteresis so slow that it pushes instead of holding.
+    #[error(
+        "element \"causal-hysteretic\" is no spring at {frequency:.3e} Hz: its stiffness is above zero only above {limit:.3e} Hz"
+    )]
+    Pushes {
+        /// [Hz]
+        frequency: f64,
+        /// [Hz]
+        limit: f64,
+    },
 }

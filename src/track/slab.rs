@@ -2,7 +2,8 @@
 
 use super::link::Spring;
 use super::member::Beam;
-use super::{Link, Member, Stack};
+use super::section::{Rail, RailKeys, Rails};
+use super::{Link, Member, Stack, TrackError};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -10,10 +11,12 @@ use serde::Deserialize;
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct Slab {
-    /// Both rails.
-    #[schemars(with = "Beam")]
-    pub rail: Member,
-    /// Pads of both rails.
+    /// How many rails all numbers stand for; the whole track by default, and to be said of a section.
+    pub rails: Option<Rails>,
+    /// All of them.
+    #[schemars(with = "RailKeys")]
+    pub rail: Rail,
+    /// Their pads.
     #[schemars(with = "Spring")]
     pub pad: Link,
     /// The slab.
@@ -23,7 +26,10 @@ pub struct Slab {
 
 impl Slab {
     /// The stack rail – pads – slab.
-    pub fn stack(&self) -> Stack {
-        Stack::new(vec![self.rail, self.slab], vec![self.pad])
+    ///
+    /// # Errors
+    /// A section without the number of rails.
+    pub fn stack(&self) -> Result<Stack, TrackError> {
+        Ok(Stack::new(vec![self.rail.member(self.rails)?, self.slab], vec![self.pad]))
     }
 }

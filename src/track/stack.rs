@@ -1,6 +1,7 @@
 //! A vertical stack of members and links on a foundation.
 
-use super::{Link, Member};
+use super::{Link, Member, TrackError};
+use crate::math::complex::reciprocal;
 use num_complex::Complex64;
 
 /// Members from the rail downward, each joined to the next by a link. A last link without a member below it ends on the
@@ -19,6 +20,8 @@ pub struct Displacements {
     pub rail: Complex64,
     /// Of the foundation under the track.
     pub base: Complex64,
+    /// Handed to the foundation per unit force [1]: its stiffness times `base`, on rock what the last link bears.
+    pub force: Complex64,
 }
 
 impl Stack {
@@ -65,15 +68,17 @@ impl Stack {
     pub fn respond_at(&self, beta2: Complex64, omega: f64, foundation: Complex64) -> Displacements {
         // degrees of freedom: members, and the base where a link ends on the foundation
         let mut stiffness = self.own(self.links.len(), beta2, omega) + foundation;
-        let mut ratio = Complex64::ONE;
+        let (mut ratio, mut force) = (Complex64::ONE, foundation);
         for (i, link) in self.links.iter().enumerate().rev() {
             let link = link.stiffness(omega);
             let carried = link.carried(stiffness);
+            // on rock −cross per unit displacement above
+            force = if stiffness.re == f64::INFINITY { -link.cross } else { force * carried };
             ratio *= carried;
             stiffness = self.own(i, beta2, omega) + link.seen_above(stiffness, carried);
         }
-        let rail = 1.0 / stiffness;
-        Displacements { rail, base: rail * ratio }
+        let rail = reciprocal(stiffness);
+        Displacements { rail, base: rail * ratio, force: rail * force }
     }
 
     /// Stiffness [N/m²] of the stack standing on rigid rock, seen from its top, at `beta2` = β² [rad²/m²] and `omega` [rad/s]; without
@@ -93,6 +98,15 @@ impl Stack {
     #[inline]
     fn own(&self, i: usize, beta2: Complex64, omega: f64) -> Complex64 {
         self.members.get(i).map_or(Complex64::ZERO, |member| member.stiffness(beta2, omega))
+    }
+
+    /// Refuses `omega` [rad/s] at which one of its elements is no spring; a constant load asks at 0, whatever its speed.
+    ///
+    /// # Errors
+    /// As [`Element::check`](super::Element::check).
+    pub fn check(&self, omega: f64) -> Result<(), TrackError> {
+        self.members.iter().try_for_each(|member| member.check(omega))?;
+        self.links.iter().try_for_each(|link| link.check(omega))
     }
 
     /// The same stack without dissipation.

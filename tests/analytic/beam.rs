@@ -62,23 +62,18 @@ fn at_rest_on_every_foundation() {
     let mut worst = 0.0f64;
     for row in reference["foundations"].as_array().unwrap() {
         let of = |key: &str| row.get(key).map_or(0.0, number);
-        let (stiffness, damping, loss_factor) = (of("stiffness"), 0.0, 0.0);
+        let springs = Link::spring(of("stiffness"), 0.0, 0.0).unwrap();
         let (tension, shear, bending_stiffness) = (of("tension"), of("shear"), of("bending_stiffness"));
         let upper_stiffness = of("upper_stiffness");
         let kind = row["kind"].as_str().unwrap();
         let model = match kind {
-            "winkler" => FoundationModel::Winkler(Winkler { stiffness, damping, loss_factor }),
-            "filonenko-borodich" => FoundationModel::FilonenkoBorodich(FilonenkoBorodich {
-                stiffness,
-                damping,
-                loss_factor,
-                tension,
-            }),
-            "hetenyi" => {
-                FoundationModel::Hetenyi(Hetenyi { stiffness, damping, loss_factor, bending_stiffness })
+            "winkler" => FoundationModel::Winkler(Winkler { springs }),
+            "filonenko-borodich" => {
+                FoundationModel::FilonenkoBorodich(FilonenkoBorodich { springs, tension })
             }
-            "pasternak" => FoundationModel::Pasternak(Pasternak { stiffness, damping, loss_factor, shear }),
-            "kerr" => FoundationModel::Kerr(Kerr { stiffness, damping, loss_factor, shear, upper_stiffness }),
+            "hetenyi" => FoundationModel::Hetenyi(Hetenyi { springs, bending_stiffness }),
+            "pasternak" => FoundationModel::Pasternak(Pasternak { springs, shear }),
+            "kerr" => FoundationModel::Kerr(Kerr { springs, shear, upper_stiffness }),
             other => panic!("{other}"),
         };
         let springs = Springs::new(model).unwrap();
@@ -100,7 +95,7 @@ fn at_rest_on_shear_layers() {
     let b = (K / EI).sqrt();
     let mut worst = 0.0f64;
     for shear in [0.0, 0.5 * b * EI, 2.0 * b * EI, 20.0 * b * EI] {
-        let model = Pasternak { stiffness: K, damping: 0.0, loss_factor: 0.0, shear };
+        let model = Pasternak { springs: Link::spring(K, 0.0, 0.0).unwrap(), shear };
         let springs = Springs::new(FoundationModel::Pasternak(model)).unwrap();
         let response = TrackOnFoundation::new(&stack, &springs, 0.0).moving(0.0, 10.0).unwrap();
         let exact = 1.0 / (2.0 * EI * b * (2.0 * b + shear / EI).sqrt());

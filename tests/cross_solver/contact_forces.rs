@@ -3,7 +3,7 @@
 
 use crate::common::{STRIP, named, tracks};
 use groundwave::contact::{ContactForces, WheelRail};
-use groundwave::foundation::{Foundation, FoundationError, LayeredSoil, Moving, Stiffness};
+use groundwave::foundation::{Asked, Foundation, FoundationError, LayeredSoil, Stiffness};
 use groundwave::math::quadrature::{Tolerance, integrate};
 use groundwave::progress::Silent;
 use groundwave::rail::TrackOnFoundation;
@@ -36,19 +36,9 @@ fn soil() -> LayeredSoil {
 struct Counted(LayeredSoil, AtomicUsize);
 
 impl Foundation for Counted {
-    fn stiffness_to(&self, beta: f64, omega: f64, relative: f64) -> Result<Stiffness, FoundationError> {
+    fn answer(&self, asked: Asked) -> Result<Stiffness, FoundationError> {
         self.1.fetch_add(1, Ordering::Relaxed);
-        self.0.stiffness_to(beta, omega, relative)
-    }
-
-    fn moving(
-        &self,
-        speed: f64,
-        from: f64,
-        to: f64,
-        allowed: &dyn Fn(f64, Complex64) -> f64,
-    ) -> Result<Moving<'_>, FoundationError> {
-        self.0.moving(speed, from, to, allowed)
+        self.0.answer(asked)
     }
 }
 

@@ -5,6 +5,7 @@ use crate::{Verdict, ask, report, within};
 use groundwave::foundation::{
     FilonenkoBorodich, Foundation, FoundationModel, Hetenyi, Kerr, Pasternak, Springs, Winkler,
 };
+use groundwave::track::Link;
 use num_complex::Complex64;
 use proptest::prelude::*;
 
@@ -15,24 +16,38 @@ pub type Numbers = (f64, f64, f64, f64, f64);
 pub const FOUNDATIONS: &[fn(Numbers) -> FoundationModel] =
     &[winkler, filonenko_borodich, hetenyi, pasternak, kerr];
 
+fn springs_of(stiffness: f64, damping: f64, loss_factor: f64) -> Link {
+    Link::spring(stiffness, damping, loss_factor).unwrap()
+}
+
 fn winkler((stiffness, damping, loss_factor, ..): Numbers) -> FoundationModel {
-    FoundationModel::Winkler(Winkler { stiffness, damping, loss_factor })
+    FoundationModel::Winkler(Winkler { springs: springs_of(stiffness, damping, loss_factor) })
 }
 
 fn filonenko_borodich((stiffness, damping, loss_factor, tension, _): Numbers) -> FoundationModel {
-    FoundationModel::FilonenkoBorodich(FilonenkoBorodich { stiffness, damping, loss_factor, tension })
+    FoundationModel::FilonenkoBorodich(FilonenkoBorodich {
+        springs: springs_of(stiffness, damping, loss_factor),
+        tension,
+    })
 }
 
 fn hetenyi((stiffness, damping, loss_factor, bending_stiffness, _): Numbers) -> FoundationModel {
-    FoundationModel::Hetenyi(Hetenyi { stiffness, damping, loss_factor, bending_stiffness })
+    FoundationModel::Hetenyi(Hetenyi {
+        springs: springs_of(stiffness, damping, loss_factor),
+        bending_stiffness,
+    })
 }
 
 fn pasternak((stiffness, damping, loss_factor, shear, _): Numbers) -> FoundationModel {
-    FoundationModel::Pasternak(Pasternak { stiffness, damping, loss_factor, shear })
+    FoundationModel::Pasternak(Pasternak { springs: springs_of(stiffness, damping, loss_factor), shear })
 }
 
 fn kerr((stiffness, damping, loss_factor, shear, upper_stiffness): Numbers) -> FoundationModel {
-    FoundationModel::Kerr(Kerr { stiffness, damping, loss_factor, shear, upper_stiffness })
+    FoundationModel::Kerr(Kerr {
+        springs: springs_of(stiffness, damping, loss_factor),
+        shear,
+        upper_stiffness,
+    })
 }
 
 pub fn numbers() -> impl Strategy<Value = Numbers> {

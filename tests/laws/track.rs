@@ -66,7 +66,13 @@ impl Numbers {
     /// With the mass of the ballast [kg/m].
     fn ballasted(&self, ballast: Ballast, mass: f64) -> Track {
         let sleeper = Sleeper { mass: self.mass };
-        let track = Published::Ballasted(Ballasted { rail: self.rail(), pad: self.pad(), sleeper, ballast });
+        let track = Published::Ballasted(Ballasted {
+            rails: None,
+            rail: self.rail().into(),
+            pad: self.pad(),
+            sleeper,
+            ballast,
+        });
         Track {
             stack: track.stack(Some(2.0)).unwrap(),
             mass: self.rail.1 + self.mass + mass,
@@ -79,12 +85,12 @@ impl Numbers {
 const TRACKS: &[fn(&Numbers) -> Track] = &[beam, slab, consistent_mass, bars, shear_layer];
 
 fn beam(n: &Numbers) -> Track {
-    let track = Published::Beam { beam: n.rail() };
+    let track = Published::Beam { rails: None, beam: n.rail().into() };
     Track { stack: track.stack(None).unwrap(), mass: n.rail.1, flexibility: 0.0 }
 }
 
 fn slab(n: &Numbers) -> Track {
-    let track = Published::Slab(Slab { rail: n.rail(), pad: n.pad(), slab: n.slab() });
+    let track = Published::Slab(Slab { rails: None, rail: n.rail().into(), pad: n.pad(), slab: n.slab() });
     Track { stack: track.stack(None).unwrap(), mass: n.rail.1 + n.slab.1, flexibility: 1.0 / n.pad.0 }
 }
 

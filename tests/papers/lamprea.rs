@@ -126,11 +126,13 @@ fn slab_track_at_220_without_interpolation() {
     let strip = Strip { half_width: 1.25, compatibility: Compatibility::Mean };
     let soil = LayeredSoil::new(profile, Solver::DirectStiffness, strip).unwrap();
     let stack = Slab {
-        rail: Member::beam(1.276e7, 120.46, 0.0).unwrap(),
+        rails: None,
+        rail: Member::beam(1.276e7, 120.46, 0.0).unwrap().into(),
         pad: Link::spring(7e8, 3.84e4, 0.0).unwrap(),
         slab: Member::beam(9.77e7, 1250.0, 0.0).unwrap(),
     }
-    .stack();
+    .stack()
+    .unwrap();
     let speed = 220.0;
     let response = TrackOnFoundation::new(&stack, &soil, 0.0).moving(speed, 60.0).unwrap();
     let rail = response.shape(-10.0, 0.05, 401).rail;

@@ -161,7 +161,12 @@ impl Error for Fault {
         Self::new(What::Key { found: found.to_owned(), allowed: plain(allowed) })
     }
     fn missing_field(key: &'static str) -> Self {
-        Self::new(What::Missing { key: if key == REST { KIND } else { key }, allowed: Vec::new() })
+        let key = match key.strip_prefix(REST) {
+            Some("") => KIND,
+            Some(needed) => needed.trim_start_matches(':'),
+            None => key,
+        };
+        Self::new(What::Missing { key, allowed: Vec::new() })
     }
 }
 

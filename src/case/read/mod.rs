@@ -10,6 +10,7 @@
 //! | an enum with variants `$text`, `$list`, `$table` | one of these; the variant is told by what stands there |
 //! | an enum with a variant `$other` | as above; a `kind` that is none of the others belongs to the enum in `$other` |
 //! | a field `$rest` | all keys that are not other fields: an enum with keys beside it |
+//! | a field `$rest:key` | the same: a struct with keys beside it, which needs `key` |
 //!
 //! A constructor that refuses what was read (`serde(try_from)`, or `D::Error::custom`) says at which key by
 //! [`OutOfRange`](crate::quantity::OutOfRange) or [`keyed`](crate::quantity::keyed).
@@ -209,12 +210,12 @@ impl<'de> Deserializer<'de> for Node<'de> {
             return Err(Fault::wrong(self.words(), "a table")
                 .help("a table is written { … }, or with [name], in single brackets, above it"));
         };
-        if !fields.contains(&REST) {
+        let Some(marker) = fields.iter().find(|field| field.starts_with(REST)) else {
             return visitor.visit_map(Keys { keys, rest: None, known: fields, next: 0 });
-        }
+        };
         let (keys, rest): (Vec<_>, Vec<_>) = keys.into_iter().partition(|(key, _)| fields.contains(key));
         // an empty rest is left to the default of its field
-        let rest = (!rest.is_empty()).then_some(rest);
+        let rest = (!rest.is_empty()).then_some((*marker, rest));
         visitor.visit_map(Keys { keys, rest, known: fields, next: 0 })
     }
 
@@ -283,7 +284,7 @@ impl<'de> SeqAccess<'de> for Items<'de> {
 /// A table, key by key, and then what is left as one more.
 struct Keys<'de> {
     keys: Vec<(&'de str, &'de DeValue<'de>)>,
-    rest: Option<Vec<(&'de str, &'de DeValue<'de>)>>,
+    rest: Option<(&'static str, Vec<(&'de str, &'de DeValue<'de>)>)>,
     /// All keys of this table but those of the rest.
     known: &'static [&'static str],
     next: usize,
@@ -293,10 +294,10 @@ impl<'de> MapAccess<'de> for Keys<'de> {
     type Error = Fault;
 
     fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Fault> {
-        let key = match self.keys.get(self.next) {
-            Some((key, _)) => key,
-            None if self.rest.is_some() => REST,
-            None => return Ok(None),
+        let key = match (self.keys.get(self.next), &self.rest) {
+            (Some((key, _)), _) => key,
+            (None, Some((marker, _))) => marker,
+            (None, None) => return Ok(None),
         };
         seed.deserialize(StrDeserializer::new(key)).map(Some)
     }
@@ -306,7 +307,7 @@ impl<'de> MapAccess<'de> for Keys<'de> {
             self.next += 1;
             return Node::of(value).and_then(|node| seed.deserialize(node)).map_err(|fault| fault.below(key));
         }
-        let rest = self.rest.take().unwrap_or_default();
+        let (_, rest) = self.rest.take().unwrap_or_default();
         seed.deserialize(Node::Table(rest)).map_err(|fault| fault.beside_keys(self.known))
     }
 }
