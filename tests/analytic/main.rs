@@ -8,5 +8,7 @@ mod column;
 mod dispersion;
 mod half_space;
 mod moving_point;
+mod periodic;
+mod periodic_bands;
 mod rayleigh;
 mod strip;

@@ -12,7 +12,8 @@ use std::f64::consts::TAU;
 fn worst(supports: &Supports, expected: &Value, frequencies: &[f64], bays: &[f64]) -> (f64, f64) {
     let floquet = Floquet::new(supports, &Rock).unwrap();
     let (mut receptance, mut decay) = (0.0f64, 0.0f64);
-    let key = if expected.get("decay_dB_per_m").is_some() { "decay_dB_per_m" } else { "decay_floquet_dB_per_m" };
+    let key =
+        if expected.get("decay_dB_per_m").is_some() { "decay_dB_per_m" } else { "decay_floquet_dB_per_m" };
     for (i, rate) in numbers(&expected[key]).into_iter().enumerate() {
         let waves = floquet.waves(TAU * frequencies[i]).unwrap();
         decay = decay.max((waves.decay_rate() / rate - 1.0).abs());
@@ -35,8 +36,7 @@ fn worst(supports: &Supports, expected: &Value, frequencies: &[f64], bays: &[f64
 #[test]
 fn receptances_and_decay_rates_of_the_paper() {
     let file = reference("boef_discrete");
-    let (frequencies, bays) =
-        (numbers(&file["inputs"]["frequencies_Hz"]), numbers(&file["inputs"]["bays"]));
+    let (frequencies, bays) = (numbers(&file["inputs"]["frequencies_Hz"]), numbers(&file["inputs"]["bays"]));
     for (name, expected) in file["expected"]["receptance"].as_object().unwrap() {
         let (receptance, decay) = worst(&named(name), expected, &frequencies, &bays);
         println!("{name}: {receptance:.1e}, decay {decay:.1e}");
@@ -65,8 +65,7 @@ fn two_hundred_bays() {
 #[test]
 fn links_between_ballast_masses() {
     let file = reference("boef_shear_link");
-    let (frequencies, bays) =
-        (numbers(&file["inputs"]["frequencies_Hz"]), numbers(&file["inputs"]["bays"]));
+    let (frequencies, bays) = (numbers(&file["inputs"]["frequencies_Hz"]), numbers(&file["inputs"]["bays"]));
     for (name, expected) in file["expected"].as_object().unwrap() {
         let beam = name.split('_').next().unwrap();
         let supports = three_layers(beam, name.ends_with("_link") && !name.contains("_no_"));

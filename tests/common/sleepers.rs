@@ -1,6 +1,6 @@
 //! One rail on equal supports as in Table 3 of the paper, and a reader for `reference/boef_*.json`.
 
-use groundwave::foundation::{Foundation, FoundationError, Moving, Stiffness};
+use groundwave::foundation::{Asked, Foundation, FoundationError, Stiffness};
 use groundwave::track::{Element, Link, Member, Stack, Supports};
 use num_complex::Complex64;
 use serde_json::Value;
@@ -9,18 +9,8 @@ use serde_json::Value;
 pub struct Rock;
 
 impl Foundation for Rock {
-    fn stiffness_to(&self, _beta: f64, _omega: f64, _relative: f64) -> Result<Stiffness, FoundationError> {
+    fn answer(&self, _asked: Asked) -> Result<Stiffness, FoundationError> {
         Ok(Stiffness { value: f64::INFINITY.into(), relative_error: 0.0, converged: true, count: 0 })
-    }
-
-    fn moving(
-        &self,
-        _speed: f64,
-        _from: f64,
-        _to: f64,
-        _allowed: &dyn Fn(f64, Complex64) -> f64,
-    ) -> Result<Moving<'_>, FoundationError> {
-        Ok(Moving { stiffness: Box::new(|_| f64::INFINITY.into()), worst: 0.0, count: 0 })
     }
 }
 
