@@ -1,7 +1,7 @@
 //! A rail on equal supports by one method against another, at random.
 
 use crate::common::sleepers::{Rock, named};
-use groundwave::rail::periodic::{DiracComb, Floquet};
+use groundwave::rail::periodic::{DiracComb, Floquet, PointSource, TransferMatrix};
 use groundwave::rail::{Answer, Receptance};
 use groundwave::track::{Element, Link, Member, Stack, Supports};
 use proptest::prelude::*;
@@ -84,6 +84,48 @@ proptest! {
         prop_assert!(a[0].value.im < 0.0);
         let later = floquet.at(&[x[5] + 7.0 * supports.spacing], from + 7.0 * supports.spacing, omega).unwrap();
         prop_assert!((later[0].value - a[5].value).norm() < 1e-11 * a[0].value.norm());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn the_transfer_matrix_is_floquet(supports in tracks(false), from in 0.0..1.0f64, frequency in 1.0..3.5f64) {
+        let omega = TAU * 10f64.powf(frequency);
+        let from = from * supports.spacing;
+        let x: Vec<f64> = places(supports.spacing).iter().map(|x| x + from).collect();
+        let a = Floquet::new(&supports, &Rock).unwrap().at(&x, from, omega).unwrap();
+        let b = TransferMatrix::new(&supports, &Rock).unwrap().at(&x, from, omega).unwrap();
+        let (apart, over) = difference(&a, &b);
+        prop_assert!(over < 1.0 || apart < 1e-12, "{apart:e} {over}");
+        // where the decaying wave leaves it digits
+        if b[0].error < 1e-11 * b[0].value.norm() {
+            prop_assert!(apart < 1e-9, "{apart:e}");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    #[test]
+    fn point_sources_are_floquet(
+        supports in any::<bool>().prop_flat_map(tracks),
+        from in 0.0..1.0f64,
+        frequency in 1.0..3.5f64,
+    ) {
+        let omega = TAU * 10f64.powf(frequency);
+        let from = from * supports.spacing;
+        let x: Vec<f64> = places(supports.spacing).iter().map(|x| x + from).collect();
+        let floquet = Floquet::new(&supports, &Rock).unwrap();
+        // dB over 1280 bays
+        if floquet.waves(omega).unwrap().decay_rate() * supports.spacing * 1280.0 > 250.0 {
+            let a = floquet.at(&x, from, omega).unwrap();
+            let b = PointSource::new(&supports, &Rock).unwrap().at(&x, from, omega).unwrap();
+            let (apart, _) = difference(&a, &b);
+            prop_assert!(apart < 1e-9, "{apart:e}");
+        }
     }
 }
 

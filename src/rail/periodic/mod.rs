@@ -4,12 +4,16 @@ mod cell;
 mod dirac_comb;
 mod floquet;
 mod landmarks;
+mod point_source;
 mod span;
+mod transfer_matrix;
 
 pub use cell::{Cell, Ground, Support};
 pub use dirac_comb::DiracComb;
 pub use floquet::{Floquet, FreeWave, FreeWaves};
 pub use landmarks::{Band, Landmark, Undamped, pinned_pinned};
+pub use point_source::PointSource;
+pub use transfer_matrix::TransferMatrix;
 
 use crate::foundation::Foundation;
 use crate::rail::{Method, RailError, Receptance};
@@ -32,7 +36,9 @@ pub(in crate::rail) fn receptance<'a>(
     match method {
         Method::Floquet => Ok(Box::new(Floquet::new(supports, on)?)),
         Method::DiracComb => Ok(Box::new(DiracComb::new(supports, on)?)),
-        _ => refused(method, "equal supports", "floquet, dirac-comb"),
+        Method::PointSource => Ok(Box::new(PointSource::new(supports, on)?)),
+        Method::TransferMatrix => Ok(Box::new(TransferMatrix::new(supports, on)?)),
+        _ => refused(method, "equal supports", "floquet, dirac-comb, point-source, transfer-matrix"),
     }
 }
 
