@@ -39,7 +39,11 @@ pub fn rail<'a>(
     match layout {
         Layout::Continuous(stack) => continuous::receptance(stack, on, method),
         Layout::Discrete(supports) => periodic::receptance(supports, on, method),
-        Layout::Varying(sections) => periodic::over_sections(sections, on, method),
+        Layout::Varying(_) => Err(RailError::Method {
+            method: method.name(),
+            track: "sections one after another",
+            able: "none: give one section",
+        }),
     }
 }
 
@@ -54,11 +58,10 @@ pub fn moving<'a>(
 ) -> Result<Box<dyn Moving + 'a>, RailError> {
     match layout {
         Layout::Continuous(stack) => continuous::moving(stack, on, method),
-        Layout::Discrete(supports) => periodic::moving(supports, on, method),
-        Layout::Varying(_) => Err(RailError::Method {
+        Layout::Discrete(_) | Layout::Varying(_) => Err(RailError::Method {
             method: method.name(),
-            track: "a load that moves over sections",
-            able: "none: give one section",
+            track: "a load that moves over supports",
+            able: "none: take the supports away",
         }),
     }
 }
