@@ -10,5 +10,7 @@ mod half_space;
 mod moving_point;
 mod periodic;
 mod periodic_bands;
+mod periodic_moving;
 mod rayleigh;
 mod strip;
+mod transition;
