@@ -11,6 +11,8 @@ mod half_space;
 mod moving_point;
 mod periodic;
 mod periodic_bands;
+mod periodic_moving;
 mod rayleigh;
 mod springs;
 mod strip;
+mod transition;

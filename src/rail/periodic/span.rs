@@ -43,6 +43,11 @@ impl Span {
         a * (ends[0] - ends[1])
     }
 
+    /// Whether wave `j` dies out within a bay, so far that b ≠ ±γ_j for all real b.
+    pub fn decays(&self, j: usize) -> bool {
+        (self.waves.gamma[j] * self.length).im < -1.0
+    }
+
     /// h_j(cos γ_jL − c) for `c`.
     pub fn delta(&self, c: Complex64) -> [Complex64; 2] {
         [0, 1].map(|j| self.cos[j] - self.h[j] * c)
@@ -52,7 +57,7 @@ impl Span {
     pub fn delta_at(&self, theta: f64) -> [Complex64; 2] {
         [0, 1].map(|j| {
             let phase = self.waves.gamma[j] * self.length;
-            if phase.im < -1.0 {
+            if self.decays(j) {
                 return self.cos[j] - self.h[j] * theta.cos();
             }
             2.0 * self.h[j] * (0.5 * (theta + phase)).sin() * (0.5 * (theta - phase)).sin()
