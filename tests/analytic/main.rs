@@ -9,6 +9,7 @@ mod continuous;
 mod dispersion;
 mod half_space;
 mod moving_point;
+mod quadrature;
 mod rayleigh;
 mod springs;
 mod strip;

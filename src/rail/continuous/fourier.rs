@@ -48,7 +48,7 @@ impl<'a> Rest<'a> {
     /// Where [rad/m] it has faded to `part` of `of` [m/N], as an integral over all that is left.
     pub(super) fn end(&self, part: f64, of: f64) -> f64 {
         let mut end = 4.0 * self.scale;
-        while self.at(end).norm() * end / (9.0 * PI) > part * of && end < 1e4 * self.scale {
+        while self.at(end).norm() * end / (4.0 * PI) > part * of && end < 1e4 * self.scale {
             end *= 1.25;
         }
         end
@@ -92,9 +92,9 @@ impl Receptance for Fourier<'_> {
             let change = sums.iter().zip(&finer).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
             let size = (finer[0] + tail[0]).norm();
             (sums, spacing) = (finer, 0.5 * spacing);
-            let error = change * (change / size).min(1.0);
+            let error = 4.0 * change * (change / size).min(1.0);
             if error < ACCURACY * size {
-                let cut = rest.at(end).norm() * end / (9.0 * PI);
+                let cut = rest.at(end).norm() * end / (4.0 * PI);
                 let answers = sums.iter().zip(&tail).skip(1).map(|(sum, tail)| sum + tail);
                 return Ok(answers
                     .map(|value| Answer { value, error: error + cut + 1e-14 * size })
