@@ -1,9 +1,10 @@
 //! A railway: what carries it, the layers of its track, its train.
 
-use crate::foundation::{Foundation, FoundationError, LayeredSoil, Springs};
-use crate::rail::TrackOnFoundation;
+use crate::foundation::{Foundation, FoundationError, Grain, LayeredSoil, Springs};
+use crate::rail::periodic::{Floquet, Undamped};
+use crate::rail::{self, Landmark, Method, RailError, Receptance, TrackOnFoundation};
 use crate::soil::{Compatibility, Profile, Solver, Strip};
-use crate::track::Stack;
+use crate::track::{Layout, Stack, Supports};
 use crate::vehicle::Train;
 use thiserror::Error;
 
@@ -99,16 +100,20 @@ pub struct Railway {
     support: Support,
     /// Keeps what its solver prepared; None where the ground has no strip, and on springs.
     soil: Option<LayeredSoil>,
-    stack: Stack,
+    layout: Layout,
     train: Option<Train>,
 }
 
 impl Railway {
-    /// A railway from its parts: the `stack` of its track, which is empty for loads straight on the ground, and its `train`.
+    /// A railway from its parts: the `layout` of its track, an empty stack for loads straight on the ground, and its `train`.
     ///
     /// # Errors
     /// A contact width that is not positive.
-    pub fn new(support: Support, stack: Stack, train: Option<Train>) -> Result<Self, RailwayError> {
+    pub fn new(
+        support: Support,
+        layout: impl Into<Layout>,
+        train: Option<Train>,
+    ) -> Result<Self, RailwayError> {
         let soil = match &support {
             Support::Ground(Ground { profile, solver, contact }) => contact
                 .and_then(|contact| contact.strip())
@@ -116,7 +121,7 @@ impl Railway {
                 .transpose()?,
             Support::Springs(_) => None,
         };
-        Ok(Self { support, soil, stack, train })
+        Ok(Self { support, soil, layout: layout.into(), train })
     }
 
     /// The same with another `solver` of the ground; on springs nothing changes.
@@ -128,7 +133,7 @@ impl Railway {
             Support::Ground(ground) => Support::Ground(Ground { solver, ..ground.clone() }),
             Support::Springs(springs) => Support::Springs(springs.clone()),
         };
-        Self::new(support, self.stack.clone(), self.train.clone())
+        Self::new(support, self.layout.clone(), self.train.clone())
     }
 
     /// What carries the track.
@@ -144,9 +149,25 @@ impl Railway {
         }
     }
 
-    /// The track without what it stands on; empty for loads straight on the ground.
-    pub fn stack(&self) -> &Stack {
-        &self.stack
+    /// How the rail is carried along the track; an empty stack for loads straight on the ground.
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// The continuous track without what it stands on; empty for loads straight on the ground.
+    ///
+    /// # Errors
+    /// Supports that stand apart.
+    pub fn stack(&self) -> Result<&Stack, RailwayError> {
+        match &self.layout {
+            Layout::Continuous(stack) => Ok(stack),
+            Layout::Discrete(_) | Layout::Varying(_) => Err(RailwayError::Apart),
+        }
+    }
+
+    /// Whether loads stand straight on the ground.
+    pub fn is_bare(&self) -> bool {
+        self.stack().is_ok_and(Stack::is_empty)
     }
 
     /// The layered ground.
@@ -186,15 +207,70 @@ impl Railway {
     /// The track on its foundation, or a patch of load straight on it.
     ///
     /// # Errors
-    /// No foundation; a strip of ground without a track, which under a point of it sinks without end.
+    /// No foundation; supports that stand apart; a strip of ground without a track, which under a point of it sinks without end.
     pub fn track(&self) -> Result<TrackOnFoundation<'_>, RailwayError> {
         let half_length = self.ground().and_then(Ground::contact).map_or(0.0, |c| c.half_length());
         // points are refused by what they lack
         let point = self.ground().is_ok_and(|ground| ground.contact == Some(Contact::Point));
-        if self.stack.is_empty() && half_length == 0.0 && !point {
+        let stack = self.stack()?;
+        if stack.is_empty() && half_length == 0.0 && !point {
             return Err(RailwayError::NoTrack);
         }
-        Ok(TrackOnFoundation::new(&self.stack, self.foundation()?, half_length))
+        Ok(TrackOnFoundation::new(stack, self.foundation()?, half_length))
+    }
+
+    /// `wanted`, or the best method for a standing force on its rail.
+    ///
+    /// # Errors
+    /// No foundation.
+    pub fn method(&self, wanted: Option<Method>) -> Result<Method, RailwayError> {
+        Ok(wanted.unwrap_or(Method::standing(&self.layout, self.foundation()?)))
+    }
+
+    /// How its rail answers a standing force, by `method`.
+    ///
+    /// # Errors
+    /// No track, no foundation, a method that does not know them.
+    pub fn receptance(&self, method: Method) -> Result<Box<dyn Receptance + '_>, RailwayError> {
+        let foundation = self.foundation()?;
+        if method == Method::Adaptive && foundation.grain() != Grain::Formula && self.stack().is_ok() {
+            // patches of load straight on the ground too
+            return Ok(Box::new(self.track()?));
+        }
+        if self.is_bare() {
+            return Err(RailwayError::NoTrack);
+        }
+        Ok(rail::rail(&self.layout, foundation, method)?)
+    }
+
+    /// Decay [dB/m] of the free wave along its rail that decays least, at `omega` [rad/s].
+    ///
+    /// # Errors
+    /// A track without free waves of its own: on layered ground, of sections.
+    pub fn free_decay(&self, method: Option<Method>, omega: f64) -> Result<f64, RailwayError> {
+        Ok(rail::free_decay(&self.layout, self.foundation()?, method, omega)?)
+    }
+
+    /// Frequencies up to `highest` [Hz] of the track on springs of its own, without loss, that explain its curves; none on ground and
+    /// of sections.
+    pub fn landmarks(&self, highest: f64) -> Vec<(Landmark, f64)> {
+        let Support::Springs(springs) = &self.support else { return Vec::new() };
+        let marks = |supports: &Supports| {
+            let floquet = Floquet::new(supports, springs)?;
+            Undamped::new(&floquet).landmarks(highest)
+        };
+        match &self.layout {
+            Layout::Discrete(supports) => marks(supports).unwrap_or_default(),
+            Layout::Continuous(stack) => {
+                // at β = 0 all move alike, whatever the spacing
+                let alike =
+                    Supports::new(stack, 1.0, None, None).ok().and_then(|supports| marks(&supports).ok());
+                let mut alike = alike.unwrap_or_default();
+                alike.retain(|mark| mark.0 != Landmark::PinnedPinned);
+                alike
+            }
+            Layout::Varying(_) => Vec::new(),
+        }
     }
 
     /// Refuses receivers, at `distances` [m] from the centre line, without layered ground or on the track.
@@ -231,6 +307,9 @@ pub enum RailwayError {
     /// The foundation cannot answer.
     #[error(transparent)]
     Foundation(#[from] FoundationError),
+    /// The rail cannot answer.
+    #[error(transparent)]
+    Rail(#[from] RailError),
     /// Waves need layered ground.
     #[error("it needs layered ground: give [soil] instead of [foundation]")]
     NoGround,
@@ -248,6 +327,12 @@ pub enum RailwayError {
         "it needs a track: give [track] with kind = \"ballasted\", \"slab\" or \"beam\"; kind = \"none\" has no rail"
     )]
     NoTrack,
+    /// Everything must be spread along the rail.
+    #[error(
+        "its supports stand apart, and this study is of continuous tracks: without track.support all is spread along the rail; \
+         receptance, decay_rate, track_response and transition know supports"
+    )]
+    Apart,
     /// Ground under a point load sinks without end.
     #[error(
         "the ground under a point load has no finite deflection: give track.load.kind = \"patch\" with half_length and half_width, \

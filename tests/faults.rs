@@ -327,7 +327,7 @@ fn elements_sections_and_rock_are_read() {
         let case = Case::parse(text, "case.toml", &|_| Err(String::new()));
         let case = case.unwrap_or_else(|error| panic!("{error}\n{text}"));
         assert!(case.concerns.is_empty(), "{:?}", case.concerns);
-        case.railway.stack().clone()
+        case.railway.stack().unwrap().clone()
     };
     let one = stack(&on_springs(SECTION, ROCK));
     assert_eq!(one.members()[0], RailSection::E60.rail(0.0).unwrap());

@@ -133,6 +133,12 @@ impl Finding {
         self.wanted.filter(|_| !self.on_key)
     }
 
+    /// The same about a table at `path` in a larger one.
+    pub fn below(mut self, path: &str) -> Self {
+        self.path = if self.path.is_empty() { path.to_owned() } else { format!("{path}.{}", self.path) };
+        self
+    }
+
     /// The same with advice.
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());

@@ -4,6 +4,7 @@ use super::error::{CaseError, Finding};
 use super::faults::{self, Read};
 use super::loader::Loader;
 use super::schema::{CaseInput, SoilInput};
+use super::track::Carried;
 use super::train::Wheels;
 use super::values::Named;
 use super::{files, ground, plausible, roughness, studies, track, train};
@@ -13,7 +14,7 @@ use crate::foundation::FoundationModel;
 use crate::railway::{Contact, Ground, Railway, Support};
 use crate::soil::{Profile, Solver};
 use crate::study::Study;
-use crate::track::Stack;
+use crate::track::{Layout, Stack};
 use crate::vehicle::Train;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -88,7 +89,7 @@ impl Loader<'_> {
     }
 
     /// The track and its contact with the ground.
-    fn track(&self, input: &CaseInput) -> Option<(Stack, Option<Contact>)> {
+    fn track(&self, input: &CaseInput) -> Option<(Layout, Option<Contact>)> {
         let Some(named) = &input.track else {
             if input.foundation.is_some() && input.soil.is_none() && self.lacks("track") {
                 let finding = Finding::new("foundation", "springs need a track on them");
@@ -97,14 +98,26 @@ impl Loader<'_> {
                 ));
             }
             // the ground alone
-            return (input.foundation.is_none() && self.lacks("track")).then(|| (Stack::default(), None));
+            return (input.foundation.is_none() && self.lacks("track"))
+                .then(|| (Stack::default().into(), None));
         };
         let resolved = self.keep(self.resolve(named, "track", "tracks"))?;
-        let on_ground = input.foundation.is_none() && !self.spoilt.contains("foundation");
-        let track = track::track(&resolved.table, &resolved.prefix, on_ground);
+        let on = match &input.foundation {
+            Some(springs) if springs.joined() => Carried::Joined,
+            Some(_) => Carried::Apart,
+            None if self.spoilt.contains("foundation") => Carried::Apart,
+            None => Carried::Ground,
+        };
+        let track = track::track(&resolved, on);
         let track = self.keep(track.map_err(|f| f.at(&resolved.name, &resolved.text)))?;
         let rock = input.foundation.as_ref().is_some_and(|f| *f.model() == FoundationModel::Rigid);
-        if rock && track.0.links().len() < track.0.members().len() {
+        let lies = |stack: &Stack| stack.links().len() < stack.members().len();
+        let lies = match &track.0 {
+            Layout::Continuous(stack) => lies(stack),
+            Layout::Discrete(supports) => lies(&supports.under),
+            Layout::Varying(sections) => sections.iter().any(|section| lies(&section.supports.under)),
+        };
+        if rock && lies {
             let finding =
                 Finding::new("foundation.kind", "the lowest mass of the track lies on rock, and cannot move");
             let finding = finding.help(
@@ -229,12 +242,12 @@ impl Case {
         loader.faults.borrow_mut().extend(faults.into_iter().map(|finding| loader.fault(finding)));
         let concerns = loader.review(&input);
         let railways = match (ground, track, train) {
-            (Some((mut support, second)), Some((stack, contact)), Some(train)) => {
+            (Some((mut support, second)), Some((layout, contact)), Some(train)) => {
                 if let Support::Ground(ground) = &mut support {
                     ground.contact = contact;
                 }
                 let train = train.map(|(train, _)| train);
-                loader.railways(Railway::new(support, stack, train), second)
+                loader.railways(Railway::new(support, layout, train), second)
             }
             _ => None,
         };

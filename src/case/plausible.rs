@@ -112,6 +112,11 @@ const TABLE: &[Row] = &[
     row("track.ballast.stiffness", LINE_SPRING, (1e4, 1e13), (5e6, 2e10)),
     row("track.ballast.damping", LINE_DAMPER, ANY, (3e2, 1e8)),
     row("track.ballast.mass", LINE_MASS, (5.0, 1e6), (100.0, 2e4)),
+    row("track.ballast.link.stiffness", SPRING, (1e3, 1e12), (1e5, 1e10)),
+    row("track.ballast.link.damping", DAMPER, ANY, (1e2, 1e8)),
+    row("track.support.spacing", METRE, (0.05, 100.0), (0.4, 5.0)),
+    row("track.support.width", METRE, (0.005, 100.0), (0.1, 3.0)),
+    row("track.section[].length", METRE, (0.05, 1e6), (0.4, 1e4)),
     row("track.slab.bending_stiffness", BENDING, (1e3, 1e13), (1e6, 1e11)),
     row("track.slab.mass", LINE_MASS, (10.0, 1e6), (200.0, 3e4)),
     row("track.beam.bending_stiffness", BENDING, (1e3, 1e13), (2e5, 1e11)),
@@ -244,6 +249,11 @@ pub fn review(root: &str, name: &str, text: &str) -> (Vec<CaseError>, Vec<Concer
         .into_iter()
         .map(|(path, value)| {
             let whole = if root.is_empty() { path.clone() } else { format!("{root}.{path}") };
+            // a section has the keys of its track
+            let whole = match whole.strip_prefix("track.section[").and_then(|rest| rest.split_once("].")) {
+                Some((_, "length")) | None => whole,
+                Some((_, key)) => format!("track.{key}"),
+            };
             (whole, path, value)
         })
         .collect();

@@ -132,7 +132,7 @@ fn assumptions(railway: &Railway, studies: &[Study]) -> Vec<String> {
             if profile.is_undamped() {
                 list.push("The ground is undamped.".into());
             }
-            list.extend(contact.map(|contact| touching(contact, !railway.stack().is_empty())));
+            list.extend(contact.map(|contact| touching(contact, !railway.is_bare())));
         }
         Support::Springs(springs) => {
             list.push(format!("The track stands on {}: no waves in the ground.", springs.model().name()));

@@ -6,6 +6,7 @@ use super::values::{Named, Range, Speed};
 use crate::field::Quantity;
 use crate::foundation::{FoundationModel, Springs};
 use crate::irregularity::{Order, Spectrum};
+use crate::rail::{DecayRate, Method};
 use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, Strip};
 use crate::track::Track;
@@ -40,6 +41,8 @@ pub struct CaseInput {
     pub contour: Option<ContourInput>,
     /// Rail and ground under a standing harmonic load.
     pub receptance: Option<ReceptanceInput>,
+    /// How fast vibration dies away along the rail.
+    pub decay_rate: Option<DecayRateInput>,
     /// Roughness of the rail.
     pub irregularity: Option<IrregularityInput>,
     /// Vibration of the ground beside the track during a pass.
@@ -139,10 +142,34 @@ pub struct TrackInput {
     pub contact: Option<Strip>,
     /// How each axle presses on the ground (none).
     pub load: Option<LoadInput>,
+    /// Supports that stand apart; without them everything is spread along the rail.
+    pub support: Option<SupportInput>,
+    /// Sections one after another, each with the keys of [track] that differ in it.
+    #[serde(default)]
+    #[schemars(with = "Vec<SectionInput>")]
+    pub section: Vec<toml::Table>,
     /// The track itself.
     #[serde(rename = "$rest")]
     #[schemars(flatten)]
     pub track: Track,
+}
+
+/// `track.support`
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SupportInput {
+    /// L [m]: every support carries L × the values per metre.
+    pub spacing: f64,
+    /// w [m], width of a sleeper along the track, on ground that feels its neighbours.
+    pub width: Option<f64>,
+}
+
+/// `[[track.section]]`: any key of [track] that differs, and
+#[derive(JsonSchema)]
+pub struct SectionInput {
+    /// [m], a whole number of bays; none for the first and the last section, which never end.
+    #[expect(dead_code, reason = "read key by key, after the keys of [track]")]
+    length: Option<f64>,
 }
 
 /// `track.load`
@@ -287,6 +314,46 @@ pub struct ReceptanceInput {
     pub receivers: Vec<f64>,
     /// The ground's surface around the force; none by default.
     pub map: Option<ReceptanceMapInput>,
+    /// Where the force stands [m], from a support, or from the first change of section; 0 by default.
+    pub from: Option<f64>,
+    /// Where the rail answers [m], from the same; under the force alone by default.
+    pub x: Option<Vec<f64>>,
+    /// How the rail is asked; the best for its track by default.
+    pub method: Option<Method>,
+    /// Another way, whose difference is reported.
+    pub verify: Option<Method>,
+    /// Moduli over frequency to draw beside the computed ones.
+    #[serde(default)]
+    pub measured: Vec<BesideInput>,
+}
+
+/// `[decay_rate]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DecayRateInput {
+    /// f [Hz], above zero, ascending.
+    pub frequencies: Range<f64>,
+    /// Which decay rate; that of the free wave by default.
+    pub method: Option<DecayRate>,
+    /// Where the force stands [m] from a support; in the middle of a bay by default.
+    pub from: Option<f64>,
+    /// How the rail is asked; the best for its track by default.
+    pub rail: Option<Method>,
+    /// Another way to ask it, whose difference is reported.
+    pub verify: Option<Method>,
+    /// Rates over frequency to draw beside the computed ones.
+    #[serde(default)]
+    pub measured: Vec<BesideInput>,
+}
+
+/// `[[receptance.measured]]`, `[[decay_rate.measured]]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BesideInput {
+    /// CSV file beside the case: a header line, then frequency and value, in Hz and SI units or those of the header.
+    pub file: String,
+    /// Legend entry.
+    pub label: String,
 }
 
 /// `[receptance.map]`

@@ -16,6 +16,7 @@ pub use pasternak::Pasternak;
 pub use springs::Springs;
 pub use winkler::Winkler;
 
+use crate::math::quadrature::miss;
 use crate::quantity::OutOfRange;
 use crate::soil::SoilError;
 use crate::track::{Stack, TrackError};
@@ -69,6 +70,9 @@ impl FoundationModel {
     }
 }
 
+/// Relative accuracy of a stiffness asked for itself.
+pub const ACCURACY: f64 = 1e-8;
+
 /// A stiffness with what is known of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffness {
@@ -82,24 +86,70 @@ pub struct Stiffness {
     pub count: usize,
 }
 
-/// k along ω = −βv for one speed, for any β > 0.
-pub struct Moving<'a> {
-    /// k(β, −βv) [N/m²]
-    pub stiffness: Box<dyn Fn(f64) -> Complex64 + Send + Sync + 'a>,
-    /// Error over what was allowed, where it is largest: at most 1 where the accuracy was reached everywhere.
-    pub worst: f64,
-    /// Evaluations of the ground it took.
-    pub count: usize,
+/// One question: k at (β, ω), how exactly, and in what company.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Asked {
+    /// β [rad/m]
+    pub beta: f64,
+    /// ω [rad/s]
+    pub omega: f64,
+    /// Relative accuracy wanted.
+    pub relative: f64,
+    /// What is asked along with it, to be computed in one way.
+    pub among: Option<Among>,
+}
+
+/// Questions along the line of a moving load.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Among {
+    /// Lowest and highest |ω| [rad/s]; both zero at rest.
+    pub omega: (f64, f64),
+    /// Highest β [rad/m].
+    pub beta: f64,
+}
+
+/// How k lies along the line of a moving load.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Grain {
+    /// It is a formula: asking is cheaper than any table.
+    Formula,
+    /// Smooth, and as exact as one asks.
+    Smooth,
+    /// Computed in another way in each of these pieces, ends in ln ω, [`LayeredSoil::MOVING_ACCURACY`] exact; what was dear at one ω
+    /// serves all β.
+    Pieces(Vec<f64>),
+}
+
+impl Stiffness {
+    /// Error over what was allowed, `relative` of the value: at most 1 where that was met, or what was asked for.
+    pub fn miss(&self, relative: f64) -> f64 {
+        let factor = miss(self.relative_error, relative);
+        if self.converged { factor.min(1.0) } else { factor }
+    }
 }
 
 /// A foundation.
 pub trait Foundation: Send + Sync {
-    /// k(β, ω) [N/m²] to 1e-8 at wavenumber `beta` [rad/m] along the track and `omega` [rad/s].
+    /// k(β, ω) [N/m²].
     ///
     /// # Errors
     /// Where the foundation has no finite stiffness there.
+    fn answer(&self, asked: Asked) -> Result<Stiffness, FoundationError>;
+
+    /// The same at wavenumber `beta` [rad/m] along the track and `omega` [rad/s], to a `relative` accuracy.
+    ///
+    /// # Errors
+    /// As `answer`.
+    fn stiffness_to(&self, beta: f64, omega: f64, relative: f64) -> Result<Stiffness, FoundationError> {
+        self.answer(Asked { beta, omega, relative, among: None })
+    }
+
+    /// The same to 1e-8.
+    ///
+    /// # Errors
+    /// As `answer`.
     fn stiffness(&self, beta: f64, omega: f64) -> Result<Stiffness, FoundationError> {
-        self.stiffness_to(beta, omega, 1e-8)
+        self.stiffness_to(beta, omega, ACCURACY)
     }
 
     /// Refuses `omega` [rad/s] at which springs are none; a constant load asks at 0, whatever its speed.
@@ -115,24 +165,13 @@ pub trait Foundation: Send + Sync {
         None
     }
 
-    /// The same to a `relative` accuracy of one's own.
-    ///
-    /// # Errors
-    /// As `stiffness`.
-    fn stiffness_to(&self, beta: f64, omega: f64, relative: f64) -> Result<Stiffness, FoundationError>;
+    /// How it is best asked along a line.
+    fn grain(&self) -> Grain {
+        Grain::Smooth
+    }
 
-    /// k along the line ω = −βv of a constant load at `speed` [m/s], good for `from` ≤ β ≤ `to` [rad/m] and many values;
-    /// `allowed(β, k)` is the error of 1/k [m²/N] that the caller can bear there, infinite where k does not matter.
-    ///
-    /// # Errors
-    /// As `stiffness`.
-    fn moving(
-        &self,
-        speed: f64,
-        from: f64,
-        to: f64,
-        allowed: &dyn Fn(f64, Complex64) -> f64,
-    ) -> Result<Moving<'_>, FoundationError>;
+    /// Told what will be asked next, so that threads at different speeds can share the work instead of waiting for one another.
+    fn begin(&self, _next: &[Asked]) {}
 }
 
 /// Why a foundation cannot answer.

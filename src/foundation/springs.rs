@@ -1,7 +1,7 @@
 //! Foundations of springs: whatever a stack of members and links on rigid rock says at its top.
 
-use super::{Foundation, FoundationError, FoundationModel, Moving, Stiffness, Winkler};
-use crate::track::{Link, Stack};
+use super::{Asked, Foundation, FoundationError, FoundationModel, Grain, Stiffness, Winkler};
+use crate::track::{Link, Member, Stack};
 use num_complex::Complex64;
 use serde::Deserialize;
 
@@ -41,6 +41,11 @@ impl Springs {
         &self.stack
     }
 
+    /// Whether neighbours feel one another: k depends on β.
+    pub fn joined(&self) -> bool {
+        self.stack.members().iter().any(Member::joins)
+    }
+
     /// k(β, ω) [N/m²], exact, infinite for rock; `beta2` = β² may be complex.
     pub fn at(&self, beta2: Complex64, omega: f64) -> Complex64 {
         self.stack.on_rock(beta2, omega)
@@ -64,24 +69,13 @@ impl Foundation for Springs {
         Ok(self.stack.check(omega)?)
     }
 
-    fn stiffness_to(&self, beta: f64, omega: f64, _relative: f64) -> Result<Stiffness, FoundationError> {
-        Ok(Stiffness {
-            value: self.at((beta * beta).into(), omega),
-            relative_error: 0.0,
-            converged: true,
-            count: 0,
-        })
+    fn answer(&self, asked: Asked) -> Result<Stiffness, FoundationError> {
+        let value = self.at((asked.beta * asked.beta).into(), asked.omega);
+        Ok(Stiffness { value, relative_error: 0.0, converged: true, count: 0 })
     }
 
-    fn moving(
-        &self,
-        speed: f64,
-        _from: f64,
-        _to: f64,
-        _allowed: &dyn Fn(f64, Complex64) -> f64,
-    ) -> Result<Moving<'_>, FoundationError> {
-        let along = move |beta: f64| self.at((beta * beta).into(), -beta * speed);
-        Ok(Moving { stiffness: Box::new(along), worst: 0.0, count: 0 })
+    fn grain(&self) -> Grain {
+        Grain::Formula
     }
 }
 
@@ -90,7 +84,7 @@ mod tests {
     use super::super::{FilonenkoBorodich, Hetenyi, Kerr, Pasternak};
     use super::*;
     use crate::math::complex::{I, sign};
-    use crate::track::{Element, Member};
+    use crate::track::Element;
 
     #[test]
     fn stacks_are_the_closed_forms() {

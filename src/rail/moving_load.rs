@@ -7,9 +7,9 @@
 //! The integral is done once by adaptive panels; the same nodes then serve every x′, every member and, by
 //! superposition, every axle. There is no period and no wrap-around.
 
-use super::track_on_foundation::{ACCURACY, BETA_MIN, Extent, InteractionError, TrackOnFoundation};
+use super::drive::Line;
+use super::track_on_foundation::{ACCURACY, BETA_MIN, InteractionError, TrackOnFoundation};
 use super::waves::Waves;
-use crate::foundation::Moving;
 use crate::math::quadrature::{Adaptive, Tolerance};
 use crate::soil::strip::sinc;
 use crate::track::{Displacements, Stack};
@@ -65,25 +65,17 @@ impl TrackOnFoundation<'_> {
     /// # Errors
     /// A foundation that cannot answer.
     pub fn spectrum(&self, speed: f64) -> Result<MovingSpectrum<'_>, InteractionError> {
-        let Extent { end, felt, sum, bounded } = self.extent(speed)?;
-        // reciprocity: δu_rail = q² δ(1/k), q the force handed down; its share of the integral is ∝ β in ln β
-        let allowed = |beta: f64, stiffness: Complex64| {
-            if beta > felt {
-                return f64::INFINITY;
-            }
-            let q = self.stack.respond(beta, -beta * speed, stiffness).force;
-            ACCURACY * sum / (q.norm_sqr() * beta).max(f64::MIN_POSITIVE)
-        };
-        let mut foundation = self.foundation.moving(speed, BETA_MIN, end, &allowed)?;
-        if !bounded {
-            foundation.worst = f64::INFINITY;
+        let extent = self.extent(speed)?;
+        let mut line = self.constant_line(speed, &extent)?;
+        if !extent.bounded {
+            line.worst = f64::INFINITY;
         }
         Ok(MovingSpectrum {
             stack: self.stack,
             half_length: self.half_length,
-            foundation,
+            line,
             speed,
-            beta_max: end,
+            beta_max: extent.end,
         })
     }
 
@@ -106,15 +98,13 @@ impl TrackOnFoundation<'_> {
         if !estimate.converged && (error.is_nan() || error > 1e-3) {
             return Err(InteractionError::Diverges { speed, error });
         }
-        // a settled integral met its own goal, to rounding
-        let own = if estimate.converged { (error / ACCURACY).min(1.0) } else { error / ACCURACY };
         let rule = integral.into_rule();
         Ok(MovingLoad {
             speed,
             rail: Waves::new(&rule, 1.0 / PI, |_, rail| rail),
             base: Waves::new(&rule, 1.0 / PI, |beta, _| spectrum.at(beta).base),
-            worst: spectrum.worst().max(own),
-            count: spectrum.foundation.count,
+            worst: spectrum.worst().max(estimate.miss(ACCURACY)),
+            count: spectrum.line.count,
         })
     }
 }
@@ -123,7 +113,7 @@ impl TrackOnFoundation<'_> {
 pub struct MovingSpectrum<'a> {
     stack: &'a Stack,
     half_length: f64,
-    foundation: Moving<'a>,
+    line: Line<'a>,
     speed: f64,
     /// Beyond it [rad/m] nothing matters.
     pub beta_max: f64,
@@ -132,7 +122,7 @@ pub struct MovingSpectrum<'a> {
 impl MovingSpectrum<'_> {
     /// Displacements per unit load [m per N/m], and the force handed down [1], at `beta` ≥ 0 [rad/m].
     pub fn at(&self, beta: f64) -> Displacements {
-        let stiffness = (self.foundation.stiffness)(beta.max(BETA_MIN));
+        let stiffness = self.line.stiffness(beta.max(BETA_MIN));
         let load = sinc(beta * self.half_length);
         let u = self.stack.respond(beta, -beta * self.speed, stiffness);
         Displacements { rail: u.rail * load, base: u.base * load, force: u.force * load }
@@ -164,7 +154,7 @@ impl MovingSpectrum<'_> {
 
     /// Error of the foundation over what was allowed, where it is largest: at most 1 where its accuracy was reached.
     pub fn worst(&self) -> f64 {
-        self.foundation.worst
+        self.line.worst
     }
 }
 

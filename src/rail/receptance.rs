@@ -116,6 +116,12 @@ pub enum RailError {
         /// Those that do.
         able: &'static str,
     },
+    /// Ground that joins the supports, under sleepers without a width.
+    #[error(
+        "the ground joins the supports, and a sleeper without a width along the track would sink into it: give the width of \
+         the sleepers, or springs of its own to every support"
+    )]
+    Width,
     /// A load faster than the method allows.
     #[error("{speed:.1} m/s is at or above {limit:.1} m/s, {what}: method \"{method}\" has no answer there")]
     TooFast {

@@ -53,6 +53,9 @@ pub enum Ballast {
     Block {
         /// m_b [kg/m]
         mass: f64,
+        /// Between the blocks under neighbouring supports, k_w [N/m] and c_w [N s/m], or the element
+        #[schemars(with = "Option<Spring>")]
+        link: Option<Link>,
         /// k_b, or the element
         #[serde(rename = "$rest:stiffness")]
         #[schemars(flatten, with = "Spring")]

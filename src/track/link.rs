@@ -126,6 +126,18 @@ impl Link {
         if let Self::Element(element) = self { element.check(omega) } else { Ok(()) }
     }
 
+    /// `count` of them abreast.
+    pub fn times(mut self, count: f64) -> Self {
+        match &mut self {
+            Self::Element(element) => *element = element.times(count),
+            Self::Bars { axial_stiffness, .. } => *axial_stiffness *= count,
+            Self::ConsistentMass { stiffness, damping, mass, .. } => {
+                (*stiffness, *damping, *mass) = (count * *stiffness, count * *damping, count * *mass);
+            }
+        }
+        self
+    }
+
     /// The same link without dissipation.
     pub fn undamped(mut self) -> Self {
         match &mut self {

@@ -158,6 +158,11 @@ impl Member {
         self.bending_stiffness == 0.0 && self.tension.is_none()
     }
 
+    /// Whether bending it costs energy.
+    pub fn loses(&self) -> bool {
+        self.loss_factor > 0.0
+    }
+
     /// Whether neighbours feel one another through it: β² matters.
     pub fn joins(&self) -> bool {
         !self.is_mass()

@@ -62,6 +62,17 @@ impl Track {
         }
     }
 
+    /// What joins the ballast under neighbouring supports [N/m].
+    pub fn between(&self) -> Option<Element> {
+        match self {
+            Self::Ballasted(Ballasted {
+                ballast: Ballast::Block { link: Some(Link::Element(link)), .. },
+                ..
+            }) => Some(*link),
+            _ => None,
+        }
+    }
+
     /// Its members and links; `half_width` [m] is half of the contact with the ground, as far as there is one.
     ///
     /// # Errors
@@ -91,6 +102,12 @@ pub enum TrackError {
     /// Bars with both.
     #[error("the wave speed is given twice")]
     WaveSpeedTwice,
+    /// Supports under nothing.
+    #[error("there is no rail for supports to carry")]
+    NoRail,
+    /// Springs between supports without masses.
+    #[error("springs between neighbouring supports need a mass under each to hold them")]
+    NothingToJoin,
     /// Numbers for no rail, or for many.
     #[error("found {found} rails: a track has 2, and its numbers may stand for 1 of them")]
     Rails {

@@ -1,7 +1,8 @@
 //! How the rail is carried along the track: without interruption, on equal supports, or by sections one after another.
 
-use super::{Member, Stack};
+use super::{Element, Member, Stack, TrackError};
 use crate::math::polynomial::{plus, times};
+use crate::quantity::positive;
 use num_complex::Complex64;
 
 /// What lies along the track.
@@ -13,6 +14,12 @@ pub enum Layout {
     Discrete(Supports),
     /// Sections with supports, one after another.
     Varying(Vec<Section>),
+}
+
+impl From<Stack> for Layout {
+    fn from(stack: Stack) -> Self {
+        Self::Continuous(stack)
+    }
 }
 
 /// A rail on equal supports at x = nL, n any integer.
@@ -40,6 +47,30 @@ pub struct Section {
 }
 
 impl Supports {
+    /// Those of a `track` per metre, every support carrying `spacing` L × what lies along a metre; `between` neighbouring ones is a spring
+    /// [N/m] that joins their lowest masses.
+    ///
+    /// # Errors
+    /// Lengths that are not positive, a track without a rail, springs between supports that have no mass to hold them.
+    pub fn new(
+        track: &Stack,
+        spacing: f64,
+        width: Option<f64>,
+        between: Option<Element>,
+    ) -> Result<Self, TrackError> {
+        positive("support.spacing", spacing, "m")?;
+        width.map(|width| positive("support.width", width, "m")).transpose()?;
+        let (rail, below) = track.members().split_first().ok_or(TrackError::NoRail)?;
+        let mut members = vec![Member::mass(0.0)?];
+        members.extend(below.iter().map(|member| member.times(spacing)));
+        if let Some(between) = between {
+            let lowest = members.iter_mut().skip(1).next_back().ok_or(TrackError::NothingToJoin)?;
+            *lowest = lowest.joined(between);
+        }
+        let links = track.links().iter().map(|link| link.times(spacing)).collect();
+        Ok(Self { rail: *rail, spacing, under: Stack::new(members, links), width })
+    }
+
     /// Stiffness D [N/m] of one support under the rail on ground of stiffness `ground` [N/m] (infinite: rock) in a wave whose
     /// neighbouring bays have the phase βL, `c` = cos βL.
     ///
@@ -89,7 +120,7 @@ impl Supports {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::track::{Element, Link};
+    use crate::track::Link;
 
     #[test]
     fn numerator_over_denominator_is_the_stiffness() {

@@ -9,6 +9,8 @@ mod continuous;
 mod dispersion;
 mod half_space;
 mod moving_point;
+mod periodic;
+mod periodic_bands;
 mod quadrature;
 mod rayleigh;
 mod springs;

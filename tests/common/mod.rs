@@ -2,6 +2,7 @@
 #![allow(dead_code)]
 
 pub mod cli;
+pub mod sleepers;
 pub mod tracks;
 
 use groundwave::soil::{Base, Compatibility, Elastic, Layer, Material, PreparedGround, Profile, Strip};

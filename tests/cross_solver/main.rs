@@ -11,6 +11,7 @@ mod free_field;
 mod k_eq;
 mod light_damping;
 mod passage;
+mod periodic;
 mod receptance;
 mod standing_field;
 mod surface_compliance;

@@ -50,7 +50,7 @@ fn shrink(study: &mut Study) {
             }
         }
         Study::FreeField(study) => study.bands = study.bands[8..12].to_vec(),
-        Study::EquivalentStiffness(_) | Study::SurfaceCompliance(_) => {}
+        Study::DecayRate(_) | Study::EquivalentStiffness(_) | Study::SurfaceCompliance(_) => {}
     }
 }
 

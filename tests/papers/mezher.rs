@@ -50,7 +50,7 @@ fn curves_of_soil_and_tracks() {
     let elastic = profile.with_loss_times(0.0);
     let ground =
         |omega: f64| modes(&elastic, SurfaceWave::Rayleigh, omega, 1).modes[0].unwrap().phase_velocity;
-    let track = |run: &Run, omega: f64| omega / run.case.railway.stack().free_wave(omega).unwrap();
+    let track = |run: &Run, omega: f64| omega / run.case.railway.stack().unwrap().free_wave(omega).unwrap();
     let worst = |omegas: &str, speeds: &str, computed: &dyn Fn(f64) -> f64| {
         let pairs = numbers(omegas).into_iter().zip(numbers(speeds));
         let worst = pairs.map(|(omega, c)| (computed(omega) / c - 1.0).abs()).fold(0.0, f64::max);

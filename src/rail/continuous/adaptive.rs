@@ -40,8 +40,7 @@ impl Adaptive<'_> {
             return Ok(x.iter().map(|x| Answer { value: response.rail(*x).into(), error }).collect());
         }
         let response = track.harmonic(omega, speed, reach)?;
-        // what missed its accuracy is within 1 %, or refused
-        let error = if response.converged { ON_GROUND[1] } else { 1e-2 } * response.rail(0.0).norm();
+        let error = ON_GROUND[1] * response.worst * response.rail(0.0).norm();
         Ok(x.iter().map(|x| Answer { value: response.rail(*x), error }).collect())
     }
 }

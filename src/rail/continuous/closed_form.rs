@@ -12,7 +12,7 @@ pub struct ClosedForm<'a>(pub(super) Uniform<'a>);
 
 impl ClosedForm<'_> {
     /// The waves at `omega` [rad/s].
-    fn waves(&self, omega: f64) -> Result<BeamWaves, RailError> {
+    pub(super) fn waves(&self, omega: f64) -> Result<BeamWaves, RailError> {
         let tower = self.0.tower(NAME)?;
         let support = tower.under_rail(omega).ok_or(RailError::Method {
             method: NAME,

@@ -80,3 +80,32 @@ pub(super) fn moving<'a>(
         }
     })
 }
+
+/// Decay [dB/m] of the free wave along `stack` on `on` that decays least, at `omega` [rad/s]: 20/ln 10 · min |Im γ|. Source: Eq. (94).
+///
+/// # Errors
+/// A track on layered ground, a method that does not know its waves.
+pub(super) fn free_decay(
+    stack: &Stack,
+    on: &dyn Foundation,
+    method: Option<Method>,
+    omega: f64,
+) -> Result<f64, RailError> {
+    let uniform = Uniform::new(stack, on);
+    let gamma = match method {
+        None | Some(Method::Residues) => {
+            let name = Method::Residues.name();
+            Departing::new(uniform.tower(name)?, omega).ok_or(uniform.unknown(name))?.gamma
+        }
+        Some(Method::ClosedForm) => ClosedForm(uniform).known()?.waves(omega)?.gamma.to_vec(),
+        Some(other) => {
+            return Err(RailError::Method {
+                method: other.name(),
+                track: "the free wave of a track without spacing",
+                able: "residues, closed-form",
+            });
+        }
+    };
+    let least = gamma.iter().map(|gamma| gamma.im.abs()).fold(f64::INFINITY, f64::min);
+    Ok(20.0 / std::f64::consts::LN_10 * least)
+}

@@ -74,13 +74,19 @@ fn lead(stack: &Stack, elastic: &Profile, omega: f64) -> f64 {
 
 impl Dispersion {
     /// Phase velocity, group velocity and attenuation of the slowest trapped modes (frequency, mode) of the ground with its
-    /// damping; phase velocity of the free undamped track `stack`, which may be empty; their crossing, both undamped, refined to 1e-9.
+    /// damping; phase velocity of the free undamped track `stack`, as far as there is a continuous one; their crossing, both undamped,
+    /// refined to 1e-9.
     ///
     /// Accuracy: that of [`modes`] and [`Stack::free_wave`]; published curves to 5e-9, crossings to 1e-7, all the
     /// digits printed (test `papers::mezher`).
-    pub fn solve(&self, profile: &Profile, stack: &Stack, observer: &dyn Observer) -> DispersionCurves {
+    pub fn solve(
+        &self,
+        profile: &Profile,
+        stack: Option<&Stack>,
+        observer: &dyn Observer,
+    ) -> DispersionCurves {
         // a track moves the ground vertically: it has no part in waves across
-        let stack = Some(stack).filter(|_| self.wave == SurfaceWave::Rayleigh);
+        let stack = stack.filter(|_| self.wave == SurfaceWave::Rayleigh);
         let elastic = profile.with_loss_times(0.0);
         observer.begin("dispersion", self.frequencies.len() as u64);
         let found: Vec<(Modes, Option<f64>, f64)> = self
@@ -117,7 +123,7 @@ impl Dispersion {
     pub fn run(
         &self,
         ground: &Ground,
-        stack: &Stack,
+        stack: Option<&Stack>,
         observer: &dyn Observer,
     ) -> Result<Outcome, StudyError> {
         let curves = self.solve(&ground.profile, stack, observer);

@@ -1,6 +1,6 @@
 //! The quasi-static part is known twice: its bands from h along β = ω/v, its history from an integral over β. They must agree.
 
-use super::{Answered, StudyError};
+use super::{PassVelocities, StudyError};
 use crate::assessment::{Band, rms};
 use crate::concern::Concern;
 use crate::signal::{EnergySpectrum, History};
@@ -93,14 +93,14 @@ impl Faded {
     }
 }
 
-impl Answered<'_> {
+impl PassVelocities<'_> {
     /// Receivers with a quasi-static band that contradicts the history.
     ///
     /// # Errors
     /// Velocities that are not numbers; a passage time that is not positive.
     pub(super) fn contradictions(&self) -> Result<Vec<Concern>, StudyError> {
-        let (study, time) = (self.pass.study, self.pass.passage_time);
-        let slowest = self.pass.railway.ground()?.profile.slowest_rayleigh_speed();
+        let (study, time) = (self.study, self.passage_time);
+        let slowest = self.railway.ground()?.profile.slowest_rayleigh_speed();
         // waves of a fast load come late: they are left as they are
         let ramp = if study.speed < slowest { FADING * -self.times.first } else { 0.0 };
         let mut concerns = Vec::new();

@@ -1,15 +1,15 @@
 //! What the free field leaves in files.
 
 use super::metrics::MEASURES;
-use super::{Answered, Driven, Irregularity, Roughness};
+use super::{Driven, Irregularity, PassVelocities, Roughness};
 use crate::dataset::Group;
 use ndarray::{Array1, Array2};
 
-impl Answered<'_> {
+impl PassVelocities<'_> {
     /// Arrays of the study.
     pub(super) fn group(&self, velocities: &[Array2<f64>; 3]) -> Group {
         let group = self.quasi_static_arrays(self.band_arrays(velocities));
-        match &self.pass.study.roughness {
+        match &self.study.roughness {
             Some(roughness) => self.rough_arrays(group, roughness),
             None => self.measures(group, &["receiver"]),
         }
@@ -17,7 +17,7 @@ impl Answered<'_> {
 
     /// Coordinates, and r.m.s. velocities in bands.
     fn band_arrays(&self, velocities: &[Array2<f64>; 3]) -> Group {
-        let study = self.pass.study;
+        let study = self.study;
         let centres: Vec<f64> = study.bands.iter().map(|band| band.centre()).collect();
         let after = "time after the leading axle was abreast of the receivers";
         let group = Group::new("free_field")
@@ -25,7 +25,7 @@ impl Answered<'_> {
             .coordinate("band", &centres, "Hz", "exact centre of the base-10 third-octave band")
             .coordinate("time", &self.times.values(), "s", after)
             .attribute("speed", study.speed)
-            .attribute("passage_time", self.pass.passage_time)
+            .attribute("passage_time", self.passage_time)
             .attribute("direction", "vertical, surface of the ground")
             .attribute("weighting", "none")
             .attribute("sections", self.sections);

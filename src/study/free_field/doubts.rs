@@ -1,6 +1,6 @@
 //! What the free field may be doubted for.
 
-use super::{Answered, Carrier, Driven, FreeField, Irregularity};
+use super::{Carrier, Driven, FreeField, Irregularity, PassVelocities};
 use crate::concern::Concern;
 use crate::railway::{Ground, Railway};
 use crate::study::doubts::outruns_waves;
@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 /// Share of the peak velocity at the ends of a history that counts as motion not died away.
 const LEFT: f64 = 0.05;
 
-impl Answered<'_> {
+impl PassVelocities<'_> {
     /// What the histories may be doubted for.
     pub(super) fn concerns(&self) -> Vec<Concern> {
         let mut concerns = Vec::new();
@@ -27,7 +27,7 @@ impl Answered<'_> {
             rows.fold(0.0, f64::max)
         };
         let left = self.histories.iter().map(left).fold(0.0, f64::max);
-        if left > LEFT && self.pass.study.roughness.is_some() {
+        if left > LEFT && self.study.roughness.is_some() {
             concerns.push(Concern::new(
                 "history-ends",
                 format!(
@@ -38,9 +38,9 @@ impl Answered<'_> {
             ));
         }
         if let Some(Irregularity::Given { profile, carrier, .. }) =
-            self.pass.study.roughness.as_ref().map(|r| &r.irregularity)
+            self.study.roughness.as_ref().map(|r| &r.irregularity)
         {
-            let way = self.pass.study.speed * self.times.period() + self.pass.train.length();
+            let way = self.study.speed * self.times.period() + self.pass.train.length();
             // what repeats by itself, as a wheel and a sinusoid do, may
             if *carrier == Carrier::Rail && profile.components().len() > 1 && profile.repeat_length() < way {
                 concerns.push(Concern::new(
@@ -59,7 +59,7 @@ impl Answered<'_> {
 
     /// A concern where the leading wheelset would lift: its dynamic force is above its static load.
     fn lifts(&self) -> Option<Concern> {
-        let roughness = self.pass.study.roughness.as_ref()?;
+        let roughness = self.study.roughness.as_ref()?;
         let load = self.pass.train.axles()[0].load;
         let random = matches!(roughness.irregularity, Irregularity::Random { .. });
         let force = largest_force(&self.driven, random);

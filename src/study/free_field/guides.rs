@@ -1,6 +1,6 @@
 //! Measures of one pass against distance, beside those guide values that one pass can be compared with.
 
-use super::Answered;
+use super::PassVelocities;
 use super::metrics::{KB_F_MAXIMUM, MEASURES, V_SLOW_MAXIMUM, VDV};
 use super::shown::figure;
 use crate::assessment::{Quantity, Reference, guide_values};
@@ -48,14 +48,14 @@ const COMPARISONS: [Comparison; 3] = [
     },
 ];
 
-impl Answered<'_> {
+impl PassVelocities<'_> {
     /// Measures against distance with the guide values of standards, which hold inside buildings and for what the standard says.
     pub(super) fn guide_figures(&self) -> Vec<(Figure, String)> {
         COMPARISONS.iter().map(|of| self.guide_figure(of)).collect()
     }
 
     fn guide_figure(&self, of: &Comparison) -> (Figure, String) {
-        let study = self.pass.study;
+        let study = self.study;
         let measure = &MEASURES[of.measure];
         let unit = if of.level { "VdB re 1 µin/s" } else { measure.unit() };
         let y_label = format!("{} [{}]", measure.symbol, if unit == "1" { "-" } else { unit });
@@ -78,7 +78,7 @@ impl Answered<'_> {
         } else {
             picture.series.push(points(measure.symbol, |s| s.0, Stroke::Solid));
         }
-        of.draw([0.9 * study.receivers[0], 1.1 * study.farthest()], &mut picture);
+        of.draw([0.9 * study.receivers[0], 1.1 * self.pass.farthest()], &mut picture);
         (
             Figure::Lines(picture),
             format!("{}, on the ground's surface without a building{}", measure.what, of.caption()),

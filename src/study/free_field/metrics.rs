@@ -1,9 +1,9 @@
 //! What the histories of a pass are to people and to standards.
 
-use super::passes::Times;
 use crate::assessment::{
     Averaging, Weighting, kb_f, kb_f_maximum, maximum_running_rms, peak_velocity, vibration_dose,
 };
+use crate::field::Times;
 use crate::signal::{History, SignalError};
 use ndarray::Array2;
 use rayon::prelude::*;

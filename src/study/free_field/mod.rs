@@ -1,125 +1,40 @@
 //! How much does a passing train shake the ground beside the track?
 //!
 //! Quasi-static part: the axle loads, constant and moving. Dynamic part: forces of the wheels on a rough rail, as the expected value
-//! over all profiles of a spectrum and for single profiles. With h the ground's displacement per unit force on the rail,
+//! over all profiles of a spectrum and for single profiles; r.m.s. velocities in third octaves over the passage time T,
 //!
 //! ```text
-//! û_qs(ω) = (1/v) h(−ω/v, ω) Σ_i P_i e^{−iωa_i/v}
-//! û_dyn(ω) = (1/2v) Σ_j a_j ( e^{iθ_j} H_j⁺ + e^{−iθ_j} H_j⁻ )            r(x) = Σ_j a_j cos(Ω_j x + θ_j)
-//! E|û_dyn(ω)|² = ∫ ½ S(Ω) ( |H⁺|² + |H⁻|² )/v² dΩ,   H^± = h(β, ω) Σ_i P_i(±Ω) e^{iβa_i},  β = ±Ω − ω/v
 //! v_rms = √( (1/π) ∫_band ω²|û|² dω / T )
 //! ```
+//!
+//! and histories. The physics of both is that of [`crate::field`].
 
-mod bands;
 mod check;
 mod dataset;
 mod doubts;
 mod guides;
 mod metrics;
-mod passes;
+mod roughness;
 mod shown;
 
+pub use roughness::{Carrier, Irregularity, Roughness};
+
 use super::contour::check_memory;
+use super::doubts::by_up_to;
 use super::{Outcome, StudyError};
 use crate::assessment::Band;
 use crate::concern::Concern;
-use crate::contact::{ContactForces, WheelRail};
-use crate::field::{Section, Sections};
+use crate::contact::{COUPLED, ContactForces, WheelRail};
+use crate::field::{ConstantLoad, Pass, PassEnergy, QuasiStatic, Sections, SlowLoad, Times, pointwise};
 use crate::foundation::LayeredSoil;
-use crate::irregularity::{Realisation, Spectrum, random_starts};
+use crate::irregularity::{Component, random_starts};
 use crate::progress::Observer;
 use crate::rail::TrackOnFoundation;
-use crate::railway::{Contact, Ground, Railway, RailwayError};
-use crate::soil::{Profile, Solver, Strip};
-use crate::vehicle::{Multibody, Train};
-use num_complex::Complex64;
+use crate::railway::{Contact, Railway, RailwayError};
+use crate::soil::{Profile, Solver};
+use crate::vehicle::Train;
+use ndarray::Array2;
 use std::f64::consts::TAU;
-
-/// Accuracy of G, and the wavenumbers thin layers must resolve [rad/m].
-const GROUND_ACCURACY: f64 = 1e-4;
-const K_MAX: f64 = 30.0;
-
-/// The solver for integrals whose every point has its own ω: modes would serve one point each.
-fn pointwise(solver: Solver) -> Solver {
-    if solver.has_modes() { Solver::DirectStiffness } else { solver }
-}
-
-/// What carries a given profile.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Carrier {
-    /// The rail: each wheel meets what the one before it met.
-    Rail,
-    /// Every wheel, turned by an angle of its own from this seed.
-    Wheels {
-        /// Of the angles.
-        seed: u64,
-    },
-}
-
-/// What the wheels roll over.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Irregularity {
-    /// All profiles of a spectrum, and some of them.
-    Random {
-        /// S(Ω)
-        spectrum: Spectrum,
-        /// Shortest and longest wavelength [m].
-        wavelengths: (f64, f64),
-        /// Seed of the first profile; the next ones count up.
-        seed: u64,
-        /// How many profiles; at least one.
-        count: usize,
-    },
-    /// One profile. x = 0 of a rail is abreast of the receivers.
-    Given {
-        /// The profile.
-        profile: Realisation,
-        /// What it is, in one line.
-        text: String,
-        /// Of the rail, or of each wheel by itself.
-        carrier: Carrier,
-    },
-}
-
-impl Irregularity {
-    /// What it is, in one line.
-    pub fn text(&self) -> String {
-        match self {
-            Self::Random { spectrum, .. } => spectrum.text(),
-            Self::Given { text, .. } => text.clone(),
-        }
-    }
-
-    /// Smallest and largest wavenumber [rad/m].
-    fn wavenumbers(&self) -> (f64, f64) {
-        match self {
-            Self::Random { wavelengths, .. } => (TAU / wavelengths.1, TAU / wavelengths.0),
-            Self::Given { profile, .. } => profile
-                .components()
-                .iter()
-                .fold((f64::INFINITY, 0.0), |(low, high), c| (c.wavenumber.min(low), c.wavenumber.max(high))),
-        }
-    }
-
-    /// Standard deviation [m].
-    fn rms(&self) -> f64 {
-        match self {
-            Self::Random { spectrum, wavelengths, .. } => spectrum.band_rms(wavelengths.0, wavelengths.1),
-            Self::Given { profile, .. } => profile.rms(),
-        }
-    }
-}
-
-/// Wheels that follow a rough rail.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Roughness {
-    /// The whole train; its wheelsets stand where the axles of [`Train`] do, in their order.
-    pub bodies: Multibody,
-    /// k_H of each wheelset [N/m].
-    pub contact: f64,
-    /// The profile, or what is known of it.
-    pub irregularity: Irregularity,
-}
 
 /// Velocity of the ground's surface at some receivers during one pass.
 #[derive(Clone, Debug, PartialEq)]
@@ -140,89 +55,105 @@ pub struct FreeField {
     pub sections: Option<Solver>,
 }
 
-/// What the parts of the study share.
-struct Pass<'a> {
-    study: &'a FreeField,
-    railway: &'a Railway,
-    train: &'a Train,
-    strip: Strip,
-    /// T [s]
-    passage_time: f64,
-}
-
-/// Integrals that missed their accuracy, and contact forces that could not be followed.
-fn missed(converged: bool, followed: bool) -> Vec<Concern> {
-    let integrals = || {
+/// Integrals that missed their accuracy, and contact forces that could not be followed, by what factor (at most 1: reached).
+fn missed(integrals: f64, forces: f64) -> Vec<Concern> {
+    let integrals = (integrals > 1.0).then(|| {
         Concern::new(
             "quadrature",
-            "some wavenumber integrals of the free field missed their accuracy (1e-3)",
+            format!("wavenumber integrals of the free field missed their accuracy (1e-3) {}", by_up_to(integrals)),
             "poles lie too close to the real axis (more damping helps), or the track spreads the load too little",
         )
-    };
-    let forces = || {
+    });
+    let forces = (forces > 1.0).then(|| {
         Concern::new(
             "contact-forces",
-            "contact forces between the frequencies asked are not known to 1 %, or a receptance of the rail missed 1e-4",
+            format!(
+                "contact forces between the frequencies asked missed 1 %, or a receptance of the rail 1e-4, {}",
+                by_up_to(forces)
+            ),
             "a resonance of wheels on the track is very sharp: damping of pads, ballast or ground helps",
         )
-    };
-    (!converged).then(integrals).into_iter().chain((!followed).then(forces)).collect()
+    });
+    integrals.into_iter().chain(forces).collect()
 }
 
 impl FreeField {
-    /// Third-octave r.m.s. velocities of the pass, quasi-static, dynamic and total; its histories, and what people make of them.
+    /// Third-octave energies of the pass, quasi-static, dynamic and total; its histories, and what people make of them.
     ///
     /// Accuracy: 1 % of each dynamic band, 1e-3 of the energy of quasi-static bands that are not negligible beside the largest (tests
-    /// `cross_solver::free_field`, `cross_solver::passage`); histories: see `passes`.
+    /// `cross_solver::free_field`, `cross_solver::passage`); histories: see [`Pass::dynamic`].
     ///
     /// # Errors
     /// No layered ground, no train, wheels that are not those of the train, a receiver on the track, undamped waves.
-    pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
-        let train = self.train(railway)?;
-        let strip = railway.ground()?.strip()?;
-        let passage_time = self.passage_time.unwrap_or((train.length() + 2.0 * self.farthest()) / self.speed);
-        let pass = Pass { study: self, railway, train, strip, passage_time };
+    pub fn solve<'a>(
+        &'a self,
+        railway: &'a Railway,
+        observer: &dyn Observer,
+    ) -> Result<PassVelocities<'a>, StudyError> {
+        let pass = self.pass(self.train(railway)?);
+        let passage_time =
+            self.passage_time.unwrap_or((pass.train.length() + 2.0 * pass.farthest()) / self.speed);
         let times = pass.times();
-        let Ground { profile, solver, .. } = railway.ground()?;
+        let ground = railway.ground()?;
+        let (of_ground, strip) = ((&ground.profile, ground.solver), ground.strip()?);
         // each β along ω̃ − βv has its own ω
-        let soil = LayeredSoil::new(profile.clone(), pointwise(*solver), strip)?;
-        let track = TrackOnFoundation::new(railway.stack(), &soil, 0.0);
-        let quasi_static = pass.quasi_static(&track, times, observer)?;
+        let soil = LayeredSoil::new(ground.profile.clone(), pointwise(ground.solver), strip)?;
+        let stack = railway.stack()?;
+        let track = TrackOnFoundation::new(stack, &soil, 0.0);
+        let quasi_static = pass.quasi_static(&track, of_ground, strip, times, observer)?;
         // loads slower than the waves on a smooth rail ask for β = ω/v alone, of the exact ground
-        let fast = self.speed >= profile.slowest_rayleigh_speed();
-        let sections =
-            if fast || self.roughness.is_some() { Some(pass.sections(times, observer)?) } else { None };
-        let energies = bands::Energies::quasi_static(&pass, sections.as_ref().filter(|_| fast))?;
-        let met = sections.as_ref().is_none_or(|sections| sections.converged);
-        let converged = quasi_static.converged && met && energies.converged;
+        let fast = self.speed >= ground.profile.slowest_rayleigh_speed();
+        let across = (&ground.profile, self.sections.unwrap_or(ground.solver));
+        let sections = || pass.sections(stack, across, strip, times.period(), observer);
+        let sections = (fast || self.roughness.is_some()).then(sections).transpose()?;
+        let load = match sections.as_ref().filter(|_| fast) {
+            Some(sections) => ConstantLoad::Fast(sections),
+            None => ConstantLoad::Slow(SlowLoad::new(&pass, stack, of_ground, strip)?),
+        };
+        let across_worst = sections.as_ref().map_or(0.0, |sections| sections.worst);
+        let worst = quasi_static.worst.max(load.worst()).max(across_worst);
         let smooth = Shaken {
-            energies,
+            energies: PassEnergy::quasi_static(&pass, &load),
             histories: vec![quasi_static.velocity.clone()],
             driven: Vec::new(),
-            followed: true,
+            forces_worst: 0.0,
         };
-        let Shaken { energies, histories, driven, followed } = match (&self.roughness, &sections) {
+        let Shaken { energies, histories, driven, forces_worst } = match (&self.roughness, &sections) {
             (Some(roughness), Some(sections)) => {
-                pass.shaken(smooth, roughness, (&track, sections), times, observer)?
+                let rough = Rough { pass, roughness, track: &track, sections, profile: &ground.profile };
+                rough.shaken(smooth, times, observer)?
             }
             _ => smooth,
         };
         let metrics = metrics::Metrics::of(&histories, times)?;
-        let answer = Answered {
-            pass: &pass,
+        Ok(PassVelocities {
+            study: self,
+            railway,
+            pass,
+            passage_time,
             energies,
             quasi_static,
             histories,
             times,
             metrics,
             driven,
-            sections: pass.ground()?.1.name(),
-        };
+            sections: across.1.name(),
+            worst,
+            forces_worst,
+        })
+    }
+
+    /// As [`Self::solve`], shown.
+    ///
+    /// # Errors
+    /// As `solve`.
+    pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        let answer = self.solve(railway, observer)?;
         let mut concerns = self.concerns(railway);
         concerns.extend(answer.concerns());
         concerns.extend(answer.contradictions()?);
-        concerns.extend(missed(converged, followed));
-        let velocities = answer.energies.velocities(passage_time)?;
+        concerns.extend(missed(answer.worst, answer.forces_worst));
+        let velocities = answer.energies.velocities(answer.passage_time)?;
         Ok(Outcome {
             group: answer.group(&velocities),
             figures: answer.figures(&velocities),
@@ -231,9 +162,9 @@ impl FreeField {
         })
     }
 
-    /// [m]
-    fn farthest(&self) -> f64 {
-        self.receivers.iter().copied().fold(0.0, f64::max)
+    /// The pass of `train`.
+    fn pass<'a>(&'a self, train: &'a Train) -> Pass<'a> {
+        Pass { speed: self.speed, train, receivers: &self.receivers, bands: &self.bands }
     }
 
     /// The axles, which are those of the bodies.
@@ -254,13 +185,12 @@ impl FreeField {
     /// As `run`.
     pub fn check(&self, railway: &Railway) -> Result<(), StudyError> {
         railway.ground()?;
-        self.train(railway)?;
+        let pass = self.pass(self.train(railway)?);
         railway.check_receivers(&self.receivers)?;
         railway.track()?;
-        let Contact::Strip(strip) = railway.ground()?.contact()? else {
+        let Contact::Strip(_) = railway.ground()?.contact()? else {
             return Err(RailwayError::NoTrack.into());
         };
-        let pass = Pass { study: self, railway, train: railway.train()?, strip, passage_time: 1.0 };
         let profiles = match self.roughness.as_ref().map(|r| &r.irregularity) {
             Some(Irregularity::Random { count, .. }) => *count,
             _ => 1,
@@ -273,12 +203,12 @@ impl FreeField {
 
 /// What shakes the ground, and how strongly: of a smooth rail, or of a rough one.
 struct Shaken {
-    energies: bands::Energies,
+    energies: PassEnergy,
     /// Total velocity [m/s] of each profile, receivers × times.
-    histories: Vec<ndarray::Array2<f64>>,
+    histories: Vec<Array2<f64>>,
     driven: Vec<Driven>,
-    /// False where the contact forces are not known well enough.
-    followed: bool,
+    /// Error of the contact forces over what was allowed, where it is largest.
+    forces_worst: f64,
 }
 
 /// Force of the leading wheelset at one driving frequency.
@@ -289,96 +219,82 @@ struct Driven {
     force: f64,
 }
 
-/// All that was computed.
-struct Answered<'a> {
-    pass: &'a Pass<'a>,
-    energies: bands::Energies,
-    quasi_static: passes::QuasiStatic,
-    /// Total velocity [m/s] of each profile, receivers × times.
-    histories: Vec<ndarray::Array2<f64>>,
-    times: passes::Times,
+/// What the ground does beside the track during one pass.
+pub struct PassVelocities<'a> {
+    study: &'a FreeField,
+    railway: &'a Railway,
+    pass: Pass<'a>,
+    /// T [s], over which energies are averaged.
+    pub passage_time: f64,
+    /// Energies in third octaves.
+    pub energies: PassEnergy,
+    /// Velocity [m/s] of the axle loads alone.
+    pub quasi_static: QuasiStatic,
+    /// Total velocity [m/s], positive down, of each profile, receivers × times.
+    pub histories: Vec<Array2<f64>>,
+    /// Times of the histories.
+    pub times: Times,
     metrics: metrics::Metrics,
     driven: Vec<Driven>,
     /// Name of the solver that answered across the track.
     sections: &'static str,
+    /// Error of an integral over what was allowed, where it is largest: at most 1 where the accuracy was reached.
+    pub worst: f64,
+    /// The same of the contact forces.
+    pub forces_worst: f64,
 }
 
-impl Pass<'_> {
-    /// What wheels on a rough rail add to the `smooth` one.
-    fn shaken(
-        &self,
-        smooth: Shaken,
-        roughness: &Roughness,
-        (track, sections): (&TrackOnFoundation, &Sections),
-        times: passes::Times,
-        observer: &dyn Observer,
-    ) -> Result<Shaken, StudyError> {
-        let speed = self.study.speed;
+/// Wheels on a rough rail.
+struct Rough<'a> {
+    pass: Pass<'a>,
+    roughness: &'a Roughness,
+    track: &'a TrackOnFoundation<'a>,
+    sections: &'a Sections,
+    profile: &'a Profile,
+}
+
+impl Rough<'_> {
+    /// What they add to the `smooth` rail.
+    fn shaken(&self, smooth: Shaken, times: Times, observer: &dyn Observer) -> Result<Shaken, StudyError> {
+        let Self { pass, roughness, sections, .. } = self;
+        let (speed, irregularity) = (pass.speed, &roughness.irregularity);
         let contact = vec![roughness.contact; roughness.bodies.wheelset_count()];
-        let wheels = WheelRail { track, bodies: &roughness.bodies, contact: &contact, speed };
-        // shorter waves make nothing that reaches a receiver within the bands: |Ω − ω/v| is too large
-        let highest = self.study.bands.iter().map(|band| band.upper()).fold(0.0, f64::max);
-        let heard = TAU * highest / speed + sections.reach();
-        let (least, most) = roughness.irregularity.wavenumbers();
-        let range = (least, most.min(heard).max(least));
+        let wheels = WheelRail { track: self.track, bodies: &roughness.bodies, contact: &contact, speed };
+        let (least, most) = irregularity.wavenumbers();
+        let range = (least, most.min(pass.heard(sections)).max(least));
         let mut forces = ContactForces::new(&wheels, range, observer)?;
-        if let Irregularity::Given { profile, carrier: Carrier::Wheels { seed }, .. } =
-            &roughness.irregularity
-        {
+        if let Irregularity::Given { profile, carrier: Carrier::Wheels { seed }, .. } = irregularity {
             let starts = random_starts(roughness.bodies.wheelset_count(), profile.repeat_length(), *seed);
             forces = forces.on_profiles_of_their_own(starts);
         }
-        let profiles = self.profiles(&roughness.irregularity, TAU / range.1, times)?;
+        let at = |wavenumber: f64| forces.at(wavenumber);
+        let profiles = irregularity.profiles(pass, TAU / range.1, times.period())?;
         let Shaken { mut energies, histories: quasi_static, .. } = smooth;
-        let histories: Vec<_> = self
-            .dynamic(sections, &forces, &profiles, times, observer)
+        let histories: Vec<_> = pass
+            .dynamic(sections, &profiles, &at, times, observer)
             .into_iter()
             .map(|dynamic| dynamic + &quasi_static[0])
             .collect();
-        let driven = match &roughness.irregularity {
+        let frequency = |wavenumber: f64| wavenumber * speed / TAU;
+        let driven = match irregularity {
             Irregularity::Random { spectrum, wavelengths, .. } => {
                 let wavelengths = (TAU / range.1, wavelengths.1);
-                let components = self.components(spectrum, wavelengths, &forces);
-                energies.add_expected(self, sections, &components, observer);
-                components.into_iter().map(|c| c.driven(speed)).collect()
+                let waves = pass.waves(spectrum, wavelengths, &at, COUPLED, self.profile);
+                energies.add_expected(pass, sections, &waves, observer);
+                let driven = waves
+                    .iter()
+                    .map(|w| Driven { frequency: frequency(w.wavenumber), force: w.force(speed) });
+                driven.collect()
             }
             Irregularity::Given { .. } => {
-                energies.add_given(self, &histories[0], &quasi_static[0], times)?;
-                let force = |c: &crate::irregularity::Component| Driven {
-                    frequency: c.wavenumber * speed / TAU,
-                    force: c.amplitude * forces.at(c.wavenumber)[0].norm(),
+                energies.add_given(pass, &histories[0], &quasi_static[0], times)?;
+                let force = |c: &Component| Driven {
+                    frequency: frequency(c.wavenumber),
+                    force: c.amplitude * at(c.wavenumber)[0].norm(),
                 };
                 profiles[0].components().iter().map(force).collect()
             }
         };
-        Ok(Shaken { energies, histories, driven, followed: forces.converged })
-    }
-
-    /// Sections of the ground from the lowest frequency of the histories to the upper end of the bands.
-    fn sections(&self, times: passes::Times, observer: &dyn Observer) -> Result<Sections, StudyError> {
-        let (profile, solver) = self.ground()?;
-        let bands = &self.study.bands;
-        let lowest = bands.iter().map(|b| b.lower()).fold(1.0 / times.period(), f64::min);
-        let highest = bands.iter().map(|b| b.upper()).fold(0.0, f64::max);
-        let slowest = profile.slowest_rayleigh_speed();
-        let section = |omega: f64| {
-            let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
-            Ok(Section::new(self.railway.stack(), ground.as_ref(), self.strip, omega, &self.study.receivers))
-        };
-        let range = (TAU * lowest, TAU * highest);
-        Sections::new(range, &self.study.receivers, 1.0 / slowest, section, observer)
-    }
-
-    /// The ground and what answers for it across the track.
-    fn ground(&self) -> Result<(&Profile, Solver), StudyError> {
-        let Ground { profile, solver, .. } = self.railway.ground()?;
-        Ok((profile, self.study.sections.unwrap_or(*solver)))
-    }
-
-    /// e^{−iωa_i/v} for ω = `omega`, a_i from the leading axle.
-    fn phases(&self, omega: f64) -> Vec<Complex64> {
-        let lead = self.train.axles()[0].position;
-        let phase = |position: f64| Complex64::cis(-omega * (position - lead) / self.study.speed);
-        self.train.axles().iter().map(|a| phase(a.position)).collect()
+        Ok(Shaken { energies, histories, driven, forces_worst: forces.worst })
     }
 }

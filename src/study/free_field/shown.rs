@@ -1,7 +1,7 @@
 //! What a reader sees of the free field: answers and pictures.
 
 use super::metrics::{MEASURES, TOLD, V_SLOW_MAXIMUM, significant};
-use super::{Answered, Irregularity};
+use super::{Irregularity, PassVelocities};
 use crate::assessment::{Band, Level, Reference};
 use crate::figure::{Figure, LineFigure, Series, Stroke};
 use crate::study::{Answer, StudyError, speed_text};
@@ -17,11 +17,11 @@ pub(super) fn figure(name: String, title: String, labels: (&str, &str), log: boo
     LineFigure { log_x: log, log_y: log, ..LineFigure::new(name, title, labels.0, labels.1) }
 }
 
-impl Answered<'_> {
+impl PassVelocities<'_> {
     /// R.m.s. of the profile; levels, strongest bands, where the dynamic part takes over, and measures, for each receiver.
     pub(super) fn answers(&self, velocities: &[Array2<f64>; 3]) -> Result<Vec<Answer>, StudyError> {
         let mut answers: Vec<Answer> = self.profile_answer().into_iter().collect();
-        for (r, y) in self.pass.study.receivers.iter().enumerate() {
+        for (r, y) in self.study.receivers.iter().enumerate() {
             answers.push(self.level_answer(velocities, r, *y)?);
             answers.extend(self.band_answers(velocities, r, *y));
             for m in TOLD {
@@ -32,7 +32,7 @@ impl Answered<'_> {
     }
 
     fn profile_answer(&self) -> Option<Answer> {
-        let irregularity = &self.pass.study.roughness.as_ref()?.irregularity;
+        let irregularity = &self.study.roughness.as_ref()?.irregularity;
         let what = match irregularity {
             Irregularity::Random { wavelengths: (from, to), .. } => {
                 format!("R.m.s. of the profile, wavelengths {from} to {to} m")
@@ -51,7 +51,7 @@ impl Answered<'_> {
         } else {
             "less than 1e-10 of what the track feels arrives".into()
         };
-        let what = format!("R.m.s. velocity at {y} m over {:.2} s, all bands", self.pass.passage_time);
+        let what = format!("R.m.s. velocity at {y} m over {:.2} s, all bands", self.passage_time);
         let [whole, smooth, rough] = [value, quasi_static, dynamic].map(|v| significant(1e3 * v));
         let shown = format!("{whole} mm/s (quasi-static {smooth}, dynamic {rough}), {level}");
         Ok(Answer::new(&format!("v_rms_{y}"), what, value, "m/s", shown))
@@ -64,7 +64,7 @@ impl Answered<'_> {
         r: usize,
         y: f64,
     ) -> Vec<Answer> {
-        let study = self.pass.study;
+        let study = self.study;
         let answer = |key: &str, what: &str, band: Band, shown: String| {
             Answer::new(&format!("{key}_{y}"), format!("{what} at {y} m"), band.centre(), "Hz", shown)
         };
@@ -100,7 +100,7 @@ impl Answered<'_> {
 
     /// Which profile the histories belong to.
     fn which(&self) -> String {
-        match self.pass.study.roughness.as_ref().map(|r| &r.irregularity) {
+        match self.study.roughness.as_ref().map(|r| &r.irregularity) {
             None => "Smooth rail.".into(),
             Some(Irregularity::Random { spectrum, seed, .. }) => {
                 format!("One profile out of many, seed {seed}; {}.", spectrum.text())
@@ -119,7 +119,7 @@ impl Answered<'_> {
     }
 
     fn band_figures(&self, velocities: &[Array2<f64>; 3]) -> Vec<(Figure, String)> {
-        let study = self.pass.study;
+        let study = self.study;
         let at = speed_text(study.speed);
         let centres: Vec<f64> = study.bands.iter().map(|band| band.centre()).collect();
         let labels = ("one-third-octave band [Hz]", "r.m.s. velocity [mm/s]");
@@ -146,7 +146,7 @@ impl Answered<'_> {
             let caption = format!(
                 "Vertical velocity of the ground's surface {y} m from the centre line, unweighted r.m.s. over {:.2} s in one-third-octave \
                  bands.",
-                self.pass.passage_time
+                self.passage_time
             );
             figures.push((Figure::Lines(picture), caption));
         }
@@ -179,14 +179,14 @@ impl Answered<'_> {
     }
 
     fn force_figure(&self) -> Option<(Figure, String)> {
-        let roughness = self.pass.study.roughness.as_ref().filter(|_| !self.driven.is_empty())?;
+        let roughness = self.study.roughness.as_ref().filter(|_| !self.driven.is_empty())?;
         let (label, stroke) = match &roughness.irregularity {
             Irregularity::Random { .. } => ("√ of one-sided spectral density [kN/√Hz]", Stroke::Solid),
             Irregularity::Given { .. } => ("amplitude [kN]", Stroke::Points),
         };
         let largest = self.driven.iter().map(|d| d.force).fold(0.0, f64::max);
         let (x, y) = self.driven.iter().map(|d| (d.frequency, 1e-3 * seen(d.force, largest))).unzip();
-        let title = format!("Dynamic wheel-rail force, {}", speed_text(self.pass.study.speed));
+        let title = format!("Dynamic wheel-rail force, {}", speed_text(self.study.speed));
         let mut picture = figure("contact_force".into(), title, ("driving frequency v/λ [Hz]", label), true);
         picture.series = vec![Series { name: "leading wheelset".into(), x, y, stroke }];
         let caption =
@@ -195,7 +195,7 @@ impl Answered<'_> {
     }
 
     fn history_figures(&self) -> Vec<(Figure, String)> {
-        let study = self.pass.study;
+        let study = self.study;
         let at = speed_text(study.speed);
         let time = self.times.values();
         let axis = "time after the leading axle was abreast [s]";

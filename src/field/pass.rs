@@ -1,0 +1,81 @@
+//! A train passing receivers beside the track, and what answers for the ground on its way.
+
+use super::{Section, Sections};
+use crate::assessment::Band;
+use crate::progress::Observer;
+use crate::soil::{Profile, SoilError, Solver, Strip};
+use crate::track::Stack;
+use crate::vehicle::Train;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Accuracy of G, and the wavenumbers thin layers must resolve [rad/m].
+const GROUND_ACCURACY: f64 = 1e-4;
+const K_MAX: f64 = 30.0;
+
+/// A train at constant speed past receivers abreast of x = 0, heard in third octaves.
+#[derive(Clone, Copy, Debug)]
+pub struct Pass<'a> {
+    /// v > 0 [m/s]
+    pub speed: f64,
+    /// The axles; the leading one is abreast of the receivers at t = 0.
+    pub train: &'a Train,
+    /// Distances of the receivers from the centre line of the track [m], beyond its strip.
+    pub receivers: &'a [f64],
+    /// Bands, one after another.
+    pub bands: &'a [Band],
+}
+
+/// The solver for integrals whose every point has its own ω: modes would serve one point each.
+pub fn pointwise(solver: Solver) -> Solver {
+    if solver.has_modes() { Solver::DirectStiffness } else { solver }
+}
+
+impl Pass<'_> {
+    /// Distance of the farthest receiver [m].
+    pub fn farthest(&self) -> f64 {
+        self.receivers.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// Upper end of the highest band [Hz].
+    pub fn highest(&self) -> f64 {
+        self.bands.iter().map(|band| band.upper()).fold(0.0, f64::max)
+    }
+
+    /// e^{−iωa_i/v} for ω = `omega` [rad/s], a_i the distance of axle i behind the leading one.
+    pub fn phases(&self, omega: f64) -> Vec<Complex64> {
+        let lead = self.train.axles()[0].position;
+        let phase = |position: f64| Complex64::cis(-omega * (position - lead) / self.speed);
+        self.train.axles().iter().map(|a| phase(a.position)).collect()
+    }
+
+    /// Largest wavenumber Ω of a profile [rad/m] whose forces reach a receiver within the bands: of shorter waves |Ω − ω/v| is too
+    /// large for any of the `sections`.
+    pub fn heard(&self, sections: &Sections) -> f64 {
+        TAU * self.highest() / self.speed + sections.reach()
+    }
+
+    /// h(β, ω) at the receivers of `stack` on the `strip` of a ground and its solver, from the lowest frequency of histories of
+    /// `period` [s], or of the bands, to the upper end of the bands.
+    ///
+    /// Accuracy: as [`Sections::new`].
+    ///
+    /// # Errors
+    /// A ground that cannot answer.
+    pub fn sections(
+        &self,
+        stack: &Stack,
+        (profile, solver): (&Profile, Solver),
+        strip: Strip,
+        period: f64,
+        observer: &dyn Observer,
+    ) -> Result<Sections, SoilError> {
+        let lowest = self.bands.iter().map(|b| b.lower()).fold(1.0 / period, f64::min);
+        let section = |omega: f64| {
+            let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
+            Ok(Section::new(stack, ground.as_ref(), strip, omega, self.receivers))
+        };
+        let (range, slowest) = ((TAU * lowest, TAU * self.highest()), profile.slowest_rayleigh_speed());
+        Sections::new(range, self.receivers, 1.0 / slowest, section, observer)
+    }
+}

@@ -1,0 +1,182 @@
+//! Histories of a pass: of the constant axle loads exactly, of a rough rail for single profiles by inverse transform.
+//!
+//! ```text
+//! û_dyn(ω) = (1/2v) Σ_j a_j ( e^{iθ_j} H_j⁺ + e^{−iθ_j} H_j⁻ )            r(x) = Σ_j a_j cos(Ω_j x + θ_j)
+//! H_j^± = h(±Ω_j − ω/v, ω) Σ_i p_i(±Ω_j) e^{−iωa_i/v}
+//! ```
+//!
+//! with h the ground's displacement per unit force on the rail, p_i the force of wheel i per metre of a profile e^{iΩx}, against the
+//! profile under its own wheel, a_i behind the leading one.
+
+use super::pass::{Pass, pointwise};
+use super::{Between, Sections};
+use crate::irregularity::{Component, Realisation};
+use crate::math::complex::I;
+use crate::math::fourier::{fast_size, from_half_spectrum};
+use crate::progress::Observer;
+use crate::rail::{InteractionError, TrackOnFoundation};
+use crate::soil::{Profile, Solver, Strip};
+use ndarray::Array2;
+use num_complex::Complex64;
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// Way of the train before and behind the receivers that belongs to a pass at least [m].
+const APPROACH: f64 = 150.0;
+/// Samples of the shortest period.
+const SAMPLES: f64 = 8.0;
+
+/// Times of the samples.
+#[derive(Clone, Copy, Debug)]
+pub struct Times {
+    /// Of the first sample, after the leading axle was abreast of the receivers [s].
+    pub first: f64,
+    /// Δt [s]
+    pub step: f64,
+    /// N
+    pub count: usize,
+}
+
+impl Times {
+    /// N Δt [s]
+    pub fn period(self) -> f64 {
+        self.step * self.count as f64
+    }
+
+    /// All of them [s].
+    pub fn values(self) -> Vec<f64> {
+        (0..self.count).map(|i| self.first + self.step * i as f64).collect()
+    }
+}
+
+/// The part of the constant axle loads.
+#[derive(Clone, Debug)]
+pub struct QuasiStatic {
+    /// [m/s], positive down, receivers × times.
+    pub velocity: Array2<f64>,
+    /// Error of an integral over what was allowed, where it is largest: at most 1 where the accuracy was reached.
+    pub worst: f64,
+}
+
+impl Pass<'_> {
+    /// From long before the train to long after it, eight samples of the shortest period.
+    pub fn times(&self) -> Times {
+        let step = 1.0 / (SAMPLES * self.highest());
+        let before = (APPROACH.max(4.0 * self.farthest()) / self.speed).max(0.5);
+        let count = fast_size(((self.train.length() / self.speed + 2.0 * before) / step).ceil() as usize);
+        Times { first: -before, step, count }
+    }
+
+    /// Velocity of the quasi-static part at the receivers, of `track` on the `strip` of a ground and its solver.
+    ///
+    /// Accuracy: 1e-3 of the largest (test `cross_solver::passage`).
+    ///
+    /// # Errors
+    /// A ground that cannot answer; a response that diverges.
+    pub fn quasi_static(
+        &self,
+        track: &TrackOnFoundation,
+        (profile, solver): (&Profile, Solver),
+        strip: Strip,
+        times: Times,
+        observer: &dyn Observer,
+    ) -> Result<QuasiStatic, InteractionError> {
+        let ground = (profile, pointwise(solver));
+        let reach = self.speed * times.period().max(times.first.abs());
+        observer.begin("quasi-static", self.receivers.len() as u64);
+        let rows: Vec<(Vec<f64>, f64)> = self
+            .receivers
+            .par_iter()
+            .map(|&y| {
+                let one = track.passage(ground, strip, self.speed, y, reach)?;
+                let all = one.of_train(self.train.axles());
+                observer.advance();
+                Ok((all.velocities(times.first, times.step, times.count), one.worst))
+            })
+            .collect::<Result<_, InteractionError>>()?;
+        observer.end();
+        Ok(QuasiStatic {
+            velocity: Array2::from_shape_fn((rows.len(), times.count), |(r, i)| rows[r].0[i]),
+            worst: rows.iter().map(|row| row.1).fold(0.0, f64::max),
+        })
+    }
+
+    /// Velocity [m/s], positive down, receivers × times, that each of the `profiles` makes; they have their wavenumbers Ω in common,
+    /// at which `forces` gives p(Ω) [N/m] of all wheels.
+    ///
+    /// The spectrum is exact at the harmonics of the period N Δt: what the train does earlier or later comes back in it, small
+    /// as it is 150 m away.
+    ///
+    /// Accuracy: 1.4e-2 of the largest value at the worst instant (test `cross_solver::free_field`).
+    pub fn dynamic(
+        &self,
+        sections: &Sections,
+        profiles: &[Realisation],
+        forces: &(dyn Fn(f64) -> Vec<Complex64> + Sync),
+        times: Times,
+        observer: &dyn Observer,
+    ) -> Vec<Array2<f64>> {
+        let Some(first) = profiles.first() else { return Vec::new() };
+        let wheels: Vec<(f64, Vec<Complex64>)> =
+            first.components().par_iter().map(|c| (c.wavenumber, forces(c.wavenumber))).collect();
+        // ½ a e^{iθ}/v
+        let wave = |c: &Component| Complex64::from_polar(0.5 * c.amplitude / self.speed, c.phase);
+        let waves: Vec<Vec<Complex64>> =
+            profiles.iter().map(|p| p.components().iter().map(wave).collect()).collect();
+        let harmonics = (self.highest() * times.period()).floor() as usize;
+        observer.begin("dynamic", harmonics as u64);
+        let shape = (profiles.len(), self.receivers.len());
+        // v̂ of each profile and receiver, at each harmonic
+        let spectra: Vec<Array2<Complex64>> = (0..=harmonics)
+            .into_par_iter()
+            .map(|m| {
+                if m == 0 {
+                    return Array2::zeros(shape);
+                }
+                let omega = TAU * m as f64 / times.period();
+                let u = self.spectrum(&sections.at(omega), omega, &wheels, &waves);
+                observer.advance();
+                // e^{iωt} of the first sample
+                u * (I * omega * Complex64::cis(omega * times.first))
+            })
+            .collect();
+        observer.end();
+        let history = |i: usize, r: usize| {
+            let spectrum: Vec<Complex64> = spectra.iter().map(|v| v[(i, r)]).collect();
+            from_half_spectrum(&spectrum, times.step, times.count)
+        };
+        (0..shape.0)
+            .into_par_iter()
+            .map(|i| {
+                let rows: Vec<Vec<f64>> = (0..shape.1).map(|r| history(i, r)).collect();
+                Array2::from_shape_fn((shape.1, times.count), |(r, t)| rows[r][t])
+            })
+            .collect()
+    }
+
+    /// û_dyn at one ω = `omega`, profiles × receivers: `ground` there, Ω and p of all `wheels`, ½ a e^{iθ}/v of each profile's
+    /// `waves`.
+    fn spectrum(
+        &self,
+        ground: &Between,
+        omega: f64,
+        wheels: &[(f64, Vec<Complex64>)],
+        waves: &[Vec<Complex64>],
+    ) -> Array2<Complex64> {
+        let mut u = Array2::zeros((waves.len(), self.receivers.len()));
+        let (phases, shift) = (self.phases(omega), omega / self.speed);
+        for (j, (wavenumber, p)) in wheels.iter().enumerate() {
+            // p(−Ω) = conj p(Ω)
+            let up: Complex64 = p.iter().zip(&phases).map(|(p, c)| p * c).sum();
+            let down: Complex64 = p.iter().zip(&phases).map(|(p, c)| p.conj() * c).sum();
+            for r in 0..self.receivers.len() {
+                let near = up * ground.transfer(r, wavenumber - shift);
+                let far = down * ground.transfer(r, wavenumber + shift);
+                for (i, waves) in waves.iter().enumerate() {
+                    u[(i, r)] += waves[j] * near + waves[j].conj() * far;
+                }
+            }
+        }
+        u
+    }
+}
