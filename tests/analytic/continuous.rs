@@ -81,7 +81,7 @@ fn every_method_gives_the_receptances_of_the_table() {
                     // fourteen digits of the file
                     assert!(
                         error <= answer.error + 1e-13 * exact[0][i].norm(),
-                        "{error:e} {:e}",
+                        "{name} {method:?} {f} Hz: {error:e} {:e}",
                         answer.error
                     );
                 }

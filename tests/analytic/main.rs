@@ -12,6 +12,7 @@ mod moving_point;
 mod periodic;
 mod periodic_bands;
 mod periodic_moving;
+mod quadrature;
 mod rayleigh;
 mod springs;
 mod strip;

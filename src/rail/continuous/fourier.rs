@@ -1,7 +1,7 @@
 //! Discrete Fourier transform along β, its slow tail taken out: evenly spaced samples, as many as it takes.
 //!
-//! Spacing Δβ repeats the response every 2π/Δβ; halving it squares what the images leave, e^{−αX}, so that the last change tells the
-//! error of the finer sum. What lies beyond the last sample is measured by it.
+//! Spacing Δβ repeats the response every 2π/Δβ; halving it squares the e^{−αX} that the images leave, so that the last two changes tell
+//! the error of the finer sum. What lies beyond the last sample is measured by it.
 //!
 //! Source: Eqs (33)–(38).
 
@@ -48,7 +48,7 @@ impl<'a> Rest<'a> {
     /// Where [rad/m] it has faded to `part` of `of` [m/N], as an integral over all that is left.
     pub(super) fn end(&self, part: f64, of: f64) -> f64 {
         let mut end = 4.0 * self.scale;
-        while self.at(end).norm() * end / (9.0 * PI) > part * of && end < 1e4 * self.scale {
+        while self.at(end).norm() * end / (4.0 * PI) > part * of && end < 1e4 * self.scale {
             end *= 1.25;
         }
         end
@@ -86,15 +86,18 @@ impl Receptance for Fourier<'_> {
         };
         let origin = rest.at(0.0) * spacing / TAU;
         let mut sums: Vec<Complex64> = sum(spacing, spacing).iter().map(|s| s + origin).collect();
+        let mut before = 0.0;
         loop {
             let between = sum(0.5 * spacing, spacing);
             let finer: Vec<Complex64> = sums.iter().zip(&between).map(|(a, b)| 0.5 * (a + b)).collect();
             let change = sums.iter().zip(&finer).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
             let size = (finer[0] + tail[0]).norm();
             (sums, spacing) = (finer, 0.5 * spacing);
-            let error = change * (change / size).min(1.0);
+            // images ce^{−αX}: the next one is change²/c, and c = before²/change
+            let error = change.min(4.0 * (change * change / size).max(change.powi(3) / (before * before)));
+            before = change;
             if error < ACCURACY * size {
-                let cut = rest.at(end).norm() * end / (9.0 * PI);
+                let cut = rest.at(end).norm() * end / (4.0 * PI);
                 let answers = sums.iter().zip(&tail).skip(1).map(|(sum, tail)| sum + tail);
                 return Ok(answers
                     .map(|value| Answer { value, error: error + cut + 1e-14 * size })

@@ -6,7 +6,7 @@ use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
 use crate::study::{Answer, Beside, Outcome, speed_text, trimmed};
-use ndarray::{Array2, s};
+use ndarray::{Array2, Axis};
 
 /// Error of histories, relative to the largest deflection, that is no concern.
 const TOLERABLE: f64 = 1e-4;
@@ -31,7 +31,7 @@ impl OverSupports {
     fn answers(&self, row: usize) -> Vec<Answer> {
         let (speed, name) = (self.speeds[row], tag(self.speeds[row]));
         let at = speed_text(speed);
-        let largest = self.rail.slice(s![row, .., ..]).iter().fold(0.0f64, |m, u| m.max(*u));
+        let largest = self.rail.index_axis(Axis(0), row).iter().fold(0.0f64, |m, u| m.max(*u));
         let mean = self.harmonics[(row, self.harmonics.ncols() / 2)].norm();
         let first = self.harmonics[(row, self.harmonics.ncols() / 2 + 1)].norm();
         let passing = self.passing_frequency(row);
@@ -134,7 +134,7 @@ impl OverSupports {
         let curve = |(i, x): (usize, &f64)| Series {
             name: format!("at {} m", trimmed(*x)),
             x: self.distance.clone(),
-            y: self.rail.slice(s![row, i, ..]).iter().map(|u| 1e3 * u).collect(),
+            y: self.rail.index_axis(Axis(0), row).row(i).iter().map(|u| 1e3 * u).collect(),
             stroke: Stroke::Solid,
         };
         let picture = LineFigure {
@@ -160,7 +160,7 @@ impl OverSupports {
         let curve = |(i, x): (usize, &f64)| Series {
             name: format!("at {} m", trimmed(*x)),
             x: self.frequencies.clone(),
-            y: self.spectra.slice(s![row, i, ..]).iter().map(|u| 1e6 * u).collect(),
+            y: self.spectra.index_axis(Axis(0), row).row(i).iter().map(|u| 1e6 * u).collect(),
             stroke: Stroke::Solid,
         };
         let picture = LineFigure {
