@@ -63,11 +63,15 @@ impl Transition {
     pub fn solve(&self, railway: &Railway, observer: &dyn Observer) -> Result<Scattered, StudyError> {
         let Layout::Varying(sections) = railway.layout() else { return Err(RailwayError::OneSection.into()) };
         let coupled = Coupled::new(sections, railway.foundation()?).map_err(RailwayError::from)?;
+        let first = &sections[0].supports;
+        let lossless = !first.rail.loses() && first.under == first.under.undamped();
         observer.begin("transition", (self.frequencies.len() + self.along.len()) as u64);
         let powers = self.frequencies.par_iter().map(|frequency| -> Result<_, RailError> {
             let wave = coupled.scattering(TAU * frequency, 0, true)?;
             observer.advance();
-            let share = |powers: [f64; 2]| powers.iter().sum::<f64>();
+            // without loss a wave that decays carries nothing, and rounding divided by rounding is no share
+            let carries = !lossless || (wave.lambda.norm() - 1.0).abs() < 1e-9;
+            let share = |powers: [f64; 2]| if carries { powers.iter().sum::<f64>() } else { f64::NAN };
             let decay = -20.0 * wave.lambda.norm().log10();
             Ok((share(wave.reflected_power), share(wave.transmitted_power), decay))
         });

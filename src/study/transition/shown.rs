@@ -67,7 +67,7 @@ impl Scattered {
         let (f, share) = (self.frequencies[i], self.reflected[i]);
         let what = "Largest share of power that returns, of waves that travel farther than a bay or two";
         vec![
-            Answer::new("max_reflected", what, share, "1", format!("{:.1} % at {f:.1} Hz", 100.0 * share)),
+            Answer::new("max_reflected", what, share, "1", format!("{:.2} % at {f:.1} Hz", 100.0 * share)),
             Answer::new("max_reflected_frequency", "Its frequency", f, "Hz", format!("{f:.1} Hz")),
         ]
     }
