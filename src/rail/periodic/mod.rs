@@ -6,6 +6,7 @@ mod dirac_comb;
 mod driven;
 mod floquet;
 mod landmarks;
+mod moving_green;
 mod passing;
 mod point_source;
 mod section;
@@ -18,6 +19,7 @@ pub use coupled::{Coupled, Scattering};
 pub use dirac_comb::DiracComb;
 pub use floquet::{Floquet, FreeWave, FreeWaves};
 pub use landmarks::{Band, Landmark, Undamped, pinned_pinned};
+pub use moving_green::MovingGreen;
 pub use passing::Passage;
 pub use point_source::PointSource;
 pub use transfer_matrix::TransferMatrix;
@@ -75,7 +77,8 @@ pub(in crate::rail) fn moving<'a>(
 ) -> Result<Box<dyn Moving + 'a>, RailError> {
     match method {
         Method::DiracComb => Ok(Box::new(DiracComb::new(supports, on)?)),
-        _ => refused(method, "a force that moves over equal supports", "dirac-comb"),
+        Method::MovingGreen => Ok(Box::new(MovingGreen::new(supports, on)?)),
+        _ => refused(method, "a force that moves over equal supports", "dirac-comb, moving-green"),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Loads that move over equal supports: spectra at a place, histories, harmonics under the load. THEORY-BEAMS 6.
 
+use super::cell::Cell;
 use super::dirac_comb::DiracComb;
 use super::driven::Driven;
 use super::landmarks::pinned_pinned;
@@ -22,20 +23,41 @@ const LONG: f64 = 1e-4;
 const MOST: usize = 600_000;
 
 /// Wanted error of fields: those of a Timoshenko rail bend where the load passes a support, and fall as 1/β only.
-fn accuracy(tail: &Tail) -> f64 {
+pub(super) fn accuracy(tail: &Tail) -> f64 {
     if tail.bends() { 1e3 * ACCURACY } else { ACCURACY }
 }
 
+/// `at` of ω = ω̃ − bv, below `longest` [rad/s] by the polynomial through five values above.
+pub(super) fn gently<E>(
+    (drive, longest): (Drive, f64),
+    b: f64,
+    at: impl Fn(f64) -> Result<Complex64, E>,
+) -> Result<Complex64, E> {
+    let omega = drive.at(b);
+    if omega.abs() >= longest {
+        return at(omega);
+    }
+    let nodes = [1.0, 1.5, 2.0, 2.5, 3.0].map(|n: f64| n * longest);
+    let weights = lagrange_within(&nodes, omega.abs(), (0.0, nodes[4]));
+    nodes.iter().zip(weights).map(|(node, w)| Ok(at(node.copysign(omega))? * w)).sum()
+}
+
+/// ω [rad/s] below which the waves of the bare rail are too long for their differences, within 0.1 rad/m of a load's spectrum.
+pub(super) fn longest(cell: &Cell, drive: Drive) -> f64 {
+    let pinned = pinned_pinned(cell.rail(), cell.spacing(), 1);
+    (LONG * TAU * pinned.unwrap_or(0.0)).min(0.1 * drive.speed)
+}
+
 /// An integral over b₀ settled zone by zone, its tail taken out.
-struct Settled {
+pub(super) struct Settled {
     rule: Rule,
-    value: Complex64,
-    error: f64,
+    pub value: Complex64,
+    pub error: f64,
 }
 
 /// ∫ `f` db over all b, or b < 0 only where `half`, zones 2π/L wide until they add nothing; waves e^{ibx} for |x| ≤ `reach` [m] want
 /// panels no wider than fifteen nodes can follow.
-fn settle(
+pub(super) fn settle(
     f: &mut impl FnMut(f64) -> Complex64,
     (drive, spacing): (Drive, f64),
     half: bool,
@@ -108,11 +130,10 @@ impl Passage {
 }
 
 impl<'a> DiracComb<'a> {
-    /// Refuses what cannot be asked of moving loads.
     fn tail(&self, drive: Drive) -> Result<Tail, RailError> {
         let cell = self.cell();
         if cell.coupled() {
-            let track = "moving loads on supports that the ground joins";
+            let track = "loads that move over supports that the ground joins";
             return Err(RailError::Method {
                 method: "dirac-comb",
                 track,
@@ -135,30 +156,6 @@ impl<'a> DiracComb<'a> {
         Ok(Driven::new(self.cell(), drive, omega)?.at(x) / drive.speed)
     }
 
-    /// `f` of the track at b₀ = `b`.
-    fn asked(
-        &self,
-        (drive, longest): (Drive, f64),
-        b: f64,
-        f: &impl Fn(&Driven) -> Complex64,
-    ) -> Result<Complex64, FoundationError> {
-        let omega = drive.at(b);
-        let at = |omega: f64| Ok(f(&Driven::new(self.cell(), drive, omega)?));
-        if omega.abs() >= longest {
-            return at(omega);
-        }
-        let nodes = [1.0, 1.5, 2.0, 2.5, 3.0].map(|n: f64| n * longest);
-        let weights = lagrange_within(&nodes, omega.abs(), (0.0, nodes[4]));
-        let sum = nodes.iter().zip(weights).map(|(node, w)| Ok(at(node.copysign(omega))? * w));
-        sum.sum()
-    }
-
-    /// ω [rad/s] below which waves are too long for their differences, at a load's speed within 0.1 rad/m.
-    fn longest(&self, drive: Drive) -> f64 {
-        let pinned = pinned_pinned(self.cell().rail(), self.cell().spacing(), 1);
-        (LONG * TAU * pinned.unwrap_or(0.0)).min(0.1 * drive.speed)
-    }
-
     /// The rail under the load and beside it, moving with it at `offset` [m]: f(b₀) less its tail.
     fn settled(
         &self,
@@ -168,9 +165,10 @@ impl<'a> DiracComb<'a> {
         f: impl Fn(&Driven) -> Complex64,
     ) -> Result<Settled, RailError> {
         let mut failure = None;
-        let asked = (drive, self.longest(drive));
+        let asked = (drive, longest(self.cell(), drive));
         let mut integrand = |b: f64| {
-            self.asked(asked, b, &f).unwrap_or_else(|error| {
+            let at = |omega: f64| Ok(f(&Driven::new(self.cell(), drive, omega)?));
+            gently(asked, b, at).unwrap_or_else(|error: FoundationError| {
                 failure = Some(error);
                 Complex64::ZERO
             })
@@ -253,17 +251,17 @@ impl Moving for DiracComb<'_> {
         let settled =
             self.settled(drive, reach, (half, offset, accuracy(&tail)), |driven| beside(driven, 0.0))?;
         let mut fields = vec![Complex64::ZERO; x.len()];
-        let longest = self.longest(drive);
+        let asked = (drive, longest(self.cell(), drive));
         for node in &settled.rule.0 {
             let weight = node.weight * share / TAU;
-            let omega = drive.at(node.x);
-            let driven = Driven::new(self.cell(), drive, omega)?;
+            let driven = Driven::new(self.cell(), drive, drive.at(node.x))?;
             for (field, x) in fields.iter_mut().zip(x) {
-                let value = if omega.abs() < longest {
-                    self.asked((drive, longest), node.x, &|driven| beside(driven, *x))?
-                } else {
-                    beside(&driven, *x)
-                };
+                let value = gently::<FoundationError>(asked, node.x, |omega| {
+                    if omega == drive.at(node.x) {
+                        return Ok(beside(&driven, *x));
+                    }
+                    Ok(beside(&Driven::new(self.cell(), drive, omega)?, *x))
+                })?;
                 *field += weight * value * Complex64::cis(node.x * x);
             }
         }

@@ -53,10 +53,7 @@ impl Waves {
         let span = &free.span;
         let carried = [0, 1].map(|j| rail.carried(span.waves.gamma[j], omega));
         let shapes = [a, b].map(|wave| {
-            let parts = [0, 1].map(|j| {
-                let (a, turn) = (span.waves.amplitude[j] * wave.delta[1 - j], 0.5 * span.h[j]);
-                [a * (1.0 - wave.lambda * turn), a * (wave.lambda - turn)]
-            });
+            let parts = span.ways(wave.lambda, wave.delta);
             Shape { lambda: wave.lambda, parts }
         });
         let mut waves = Self { shapes, carried, free };

@@ -68,6 +68,14 @@ impl Span {
     pub fn shape(&self, x: f64, lambda: Complex64) -> [Complex64; 2] {
         [0, 1].map(|j| self.sine(j, self.length - x) + lambda * self.sine(j, x))
     }
+
+    /// Amplitudes of e^{−iγ_jx} and of e^{−iγ_j(L − x)}, for j = 1 and 2, in h₁h₂(A₁δ₂ + A₂δ₁), a wave with the factor `lambda`.
+    pub fn ways(&self, lambda: Complex64, delta: [Complex64; 2]) -> [[Complex64; 2]; 2] {
+        [0, 1].map(|j| {
+            let (a, turn) = (self.waves.amplitude[j] * delta[1 - j], 0.5 * self.h[j]);
+            [a * (1.0 - lambda * turn), a * (lambda - turn)]
+        })
+    }
 }
 
 /// Two places of a bay, and what is the same for all waves between them.
