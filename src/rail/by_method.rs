@@ -19,10 +19,9 @@ impl Method {
 
     /// The best for a force that moves along it.
     pub fn moving(layout: &Layout, on: &dyn Foundation) -> Self {
-        match (layout, on.grain()) {
-            (Layout::Continuous(_), Grain::Formula) => Self::Residues,
-            (Layout::Continuous(_), _) => Self::Adaptive,
-            (Layout::Discrete(_) | Layout::Varying(_), _) => Self::DiracComb,
+        match layout {
+            Layout::Continuous(stack) => continuous::best_moving(stack, on),
+            Layout::Discrete(_) | Layout::Varying(_) => Self::DiracComb,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Discrete Fourier transform along β, its slow tail taken out: evenly spaced samples, as many as it takes.
 //!
-//! Spacing Δβ repeats the response every 2π/Δβ; halving it squares the e^{−αX} that the images leave, so that the last two changes tell
+//! Spacing Δβ repeats the response every 2π/Δβ; halving it squares the e^{−αX} that the images leave, so that the last change is far above
 //! the error of the finer sum. What lies beyond the last sample is measured by it.
 //!
 //! Source: Eqs (33)–(38).
@@ -16,7 +16,7 @@ use std::f64::consts::{PI, TAU};
 
 const NAME: &str = "fourier";
 /// Wanted, relative to the receptance at the load.
-const ACCURACY: f64 = 1e-9;
+const ACCURACY: f64 = 1e-8;
 /// Samples allowed.
 const MOST: usize = 1 << 23;
 
@@ -28,7 +28,7 @@ pub(super) struct Rest<'a> {
     tower: &'a Tower,
     omega: f64,
     pub(super) tail: Tail,
-    /// Geometric mean of its poles [rad/m].
+    /// About its largest pole [rad/m].
     pub(super) scale: f64,
 }
 
@@ -55,14 +55,15 @@ impl<'a> Rest<'a> {
     }
 }
 
-/// Geometric mean of the poles [rad/m] of ũ = n/d, from the first and the last coefficient of d.
+/// About the largest pole or zero [rad/m] of ũ = n/d: half of Fujiwara's bound on the roots of both, √ maxₖ |p_(N − k)/p_N|^(1/k).
 fn scale(ratio: &Ratio) -> f64 {
-    let d = ratio.denominator.coefficients();
-    let mean = match (d.first(), d.last()) {
-        (Some(first), Some(last)) => (first.norm() / last.norm()).powf(0.5 / (d.len() - 1).max(1) as f64),
-        _ => 1.0,
+    let largest = |p: &[Complex64]| {
+        let last = p.last().map_or(1.0, |c| c.norm());
+        let root = |(k, c): (usize, &Complex64)| (c.norm() / last).powf(1.0 / (k + 1) as f64);
+        p.iter().rev().skip(1).enumerate().map(root).fold(0.0, f64::max)
     };
-    if mean > 0.0 { mean } else { 1.0 }
+    let square = largest(ratio.numerator.coefficients()).max(largest(ratio.denominator.coefficients()));
+    if square > 0.0 { square.sqrt() } else { 1.0 }
 }
 
 impl Receptance for Fourier<'_> {
@@ -86,21 +87,17 @@ impl Receptance for Fourier<'_> {
         };
         let origin = rest.at(0.0) * spacing / TAU;
         let mut sums: Vec<Complex64> = sum(spacing, spacing).iter().map(|s| s + origin).collect();
-        let mut before = 0.0;
         loop {
             let between = sum(0.5 * spacing, spacing);
             let finer: Vec<Complex64> = sums.iter().zip(&between).map(|(a, b)| 0.5 * (a + b)).collect();
             let change = sums.iter().zip(&finer).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
             let size = (finer[0] + tail[0]).norm();
             (sums, spacing) = (finer, 0.5 * spacing);
-            // images ce^{−αX}: the next one is change²/c, and c = before²/change
-            let error = change.min(4.0 * (change * change / size).max(change.powi(3) / (before * before)));
-            before = change;
-            if error < ACCURACY * size {
+            if change < ACCURACY * size {
                 let cut = rest.at(end).norm() * end / (4.0 * PI);
                 let answers = sums.iter().zip(&tail).skip(1).map(|(sum, tail)| sum + tail);
                 return Ok(answers
-                    .map(|value| Answer { value, error: error + cut + 1e-14 * size })
+                    .map(|value| Answer { value, error: change + cut + 1e-14 * size })
                     .collect());
             }
             if end / spacing > MOST as f64 {
