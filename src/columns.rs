@@ -37,7 +37,9 @@ pub enum ColumnsError {
         found: String,
     },
     /// A header in a unit that is not known.
-    #[error("line {line} names the unit \"{unit}\", which is not known: write m, cm, mm or µm")]
+    #[error(
+        "line {line} names the unit \"{unit}\", which is not known: write m, cm, mm, µm or nm, and Hz or kHz of a frequency"
+    )]
     Unit {
         /// From 1.
         line: usize,
@@ -46,9 +48,19 @@ pub enum ColumnsError {
     },
 }
 
-/// Units of length and their size [m].
-const UNITS: [(&str, f64); 7] =
-    [("m", 1.0), ("cm", 1e-2), ("mm", 1e-3), ("um", 1e-6), ("µm", 1e-6), ("μm", 1e-6), ("km", 1e3)];
+/// Units of length and of frequency, and their size [m, Hz].
+const UNITS: [(&str, f64); 10] = [
+    ("m", 1.0),
+    ("cm", 1e-2),
+    ("mm", 1e-3),
+    ("um", 1e-6),
+    ("µm", 1e-6),
+    ("μm", 1e-6),
+    ("nm", 1e-9),
+    ("km", 1e3),
+    ("Hz", 1.0),
+    ("kHz", 1e3),
+];
 
 /// The pairs in `text`: a header, then two numbers a line, in metres unless the header names another unit (`r [mm]`, `r (µm)`,
 /// `r_mm`). Between them stands a comma, or a semicolon or a tab, with which numbers may have decimal commas. Empty lines and

@@ -1,9 +1,10 @@
 //! A railway: what carries it, the layers of its track, its train.
 
-use crate::foundation::{Foundation, FoundationError, LayeredSoil, Springs};
-use crate::rail::TrackOnFoundation;
+use crate::foundation::{Foundation, FoundationError, Grain, LayeredSoil, Springs};
+use crate::rail::periodic::{Floquet, Undamped};
+use crate::rail::{self, Landmark, Method, RailError, Receptance, TrackOnFoundation};
 use crate::soil::{Compatibility, Profile, Solver, Strip};
-use crate::track::{Layout, Stack};
+use crate::track::{Layout, Stack, Supports};
 use crate::vehicle::Train;
 use thiserror::Error;
 
@@ -164,6 +165,16 @@ impl Railway {
         }
     }
 
+    /// Whether the rail stands on equal supports.
+    pub fn on_supports(&self) -> bool {
+        matches!(self.layout, Layout::Discrete(_))
+    }
+
+    /// Whether there are sections one after another.
+    pub fn has_sections(&self) -> bool {
+        matches!(self.layout, Layout::Varying(_))
+    }
+
     /// Whether loads stand straight on the ground.
     pub fn is_bare(&self) -> bool {
         self.stack().is_ok_and(Stack::is_empty)
@@ -218,6 +229,60 @@ impl Railway {
         Ok(TrackOnFoundation::new(stack, self.foundation()?, half_length))
     }
 
+    /// `wanted`, or the best method for a standing force on its rail.
+    ///
+    /// # Errors
+    /// No foundation.
+    pub fn method(&self, wanted: Option<Method>) -> Result<Method, RailwayError> {
+        Ok(wanted.unwrap_or(Method::standing(&self.layout, self.foundation()?)))
+    }
+
+    /// How its rail answers a standing force, by `method`.
+    ///
+    /// # Errors
+    /// No track, no foundation, a method that does not know them.
+    pub fn receptance(&self, method: Method) -> Result<Box<dyn Receptance + '_>, RailwayError> {
+        let foundation = self.foundation()?;
+        if method == Method::Adaptive && foundation.grain() != Grain::Formula && self.stack().is_ok() {
+            // patches of load straight on the ground too
+            return Ok(Box::new(self.track()?));
+        }
+        if self.is_bare() {
+            return Err(RailwayError::NoTrack);
+        }
+        Ok(rail::rail(&self.layout, foundation, method)?)
+    }
+
+    /// Decay [dB/m] of the free wave along its rail that decays least, at `omega` [rad/s].
+    ///
+    /// # Errors
+    /// A track without free waves of its own: on layered ground, of sections.
+    pub fn free_decay(&self, method: Option<Method>, omega: f64) -> Result<f64, RailwayError> {
+        Ok(rail::free_decay(&self.layout, self.foundation()?, method, omega)?)
+    }
+
+    /// Frequencies up to `highest` [Hz] of the track on springs of its own, without loss, that explain its curves; none on ground and
+    /// of sections.
+    pub fn landmarks(&self, highest: f64) -> Vec<(Landmark, f64)> {
+        let Support::Springs(springs) = &self.support else { return Vec::new() };
+        let marks = |supports: &Supports| {
+            let floquet = Floquet::new(supports, springs)?;
+            Undamped::new(&floquet).landmarks(highest)
+        };
+        match &self.layout {
+            Layout::Discrete(supports) => marks(supports).unwrap_or_default(),
+            Layout::Continuous(stack) => {
+                // at β = 0 all move alike, whatever the spacing
+                let alike =
+                    Supports::new(stack, 1.0, None, None).ok().and_then(|supports| marks(&supports).ok());
+                let mut alike = alike.unwrap_or_default();
+                alike.retain(|mark| mark.0 != Landmark::PinnedPinned);
+                alike
+            }
+            Layout::Varying(_) => Vec::new(),
+        }
+    }
+
     /// Refuses receivers, at `distances` [m] from the centre line, without layered ground or on the track.
     ///
     /// # Errors
@@ -252,6 +317,9 @@ pub enum RailwayError {
     /// The foundation cannot answer.
     #[error(transparent)]
     Foundation(#[from] FoundationError),
+    /// The rail cannot answer.
+    #[error(transparent)]
+    Rail(#[from] RailError),
     /// Waves need layered ground.
     #[error("it needs layered ground: give [soil] instead of [foundation]")]
     NoGround,
@@ -275,6 +343,9 @@ pub enum RailwayError {
          receptance, decay_rate, track_response and transition know supports"
     )]
     Apart,
+    /// Sections are needed.
+    #[error("it needs a track that changes: give two or more [[track.section]], and support.spacing")]
+    OneSection,
     /// Ground under a point load sinks without end.
     #[error(
         "the ground under a point load has no finite deflection: give track.load.kind = \"patch\" with half_length and half_width, \

@@ -26,7 +26,7 @@ pub use error::CaseError;
 pub use folder::{FolderError, check_output, sweep};
 pub use load::Case;
 pub use runner::{RunError, RunOptions, Summary, run};
-pub use verification::Verification;
+pub use verification::{Verification, Verified};
 
 /// A commented case file to start from: what `groundwave new` writes.
 pub const TEMPLATE: &str = include_str!("template.toml");

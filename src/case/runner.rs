@@ -66,8 +66,7 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
             .map_err(|source| RunError::Study { study: study.name(), source })?;
         outcomes.push((study.name(), outcome));
     }
-    let verification =
-        case.witness.as_ref().map(|witness| Verification::run(case, witness, &mut outcomes, observer));
+    let verification = Verification::run(case, &mut outcomes, observer);
     let drawings = draw(&mut outcomes);
     outcomes.iter_mut().for_each(|(_, outcome)| name_answers(outcome));
     let found = outcomes.iter().flat_map(|(_, o)| o.concerns.clone());

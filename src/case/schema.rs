@@ -6,6 +6,7 @@ use super::values::{Named, Range, Speed};
 use crate::field::Quantity;
 use crate::foundation::{FoundationModel, Springs};
 use crate::irregularity::{Order, Spectrum};
+use crate::rail::{DecayRate, Method};
 use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, Strip};
 use crate::track::Track;
@@ -40,6 +41,10 @@ pub struct CaseInput {
     pub contour: Option<ContourInput>,
     /// Rail and ground under a standing harmonic load.
     pub receptance: Option<ReceptanceInput>,
+    /// How fast vibration dies away along the rail.
+    pub decay_rate: Option<DecayRateInput>,
+    /// What a change of track does to waves along the rail.
+    pub transition: Option<TransitionInput>,
     /// Roughness of the rail.
     pub irregularity: Option<IrregularityInput>,
     /// Vibration of the ground beside the track during a pass.
@@ -252,8 +257,18 @@ pub struct TrackResponseInput {
     pub speeds: Range<Speed>,
     /// x′ [m]; by default 40 m behind the train to 20 m ahead of it.
     pub x: Option<SpanInput>,
-    /// Spacing [m], 0.1 by default.
+    /// Spacing [m], 0.1 by default, 0.02 over supports.
     pub spacing: Option<f64>,
+    /// Over supports: where the rail is watched [m] from a support; over it and in the middle of the bay by default.
+    #[serde(default)]
+    pub at: Vec<f64>,
+    /// Over supports: frequency [Hz] with which all axle loads oscillate; constant loads by default.
+    pub harmonic: Option<f64>,
+    /// Over supports: f [Hz], above zero, ascending, of spectra of the rail under the leading axle.
+    pub frequencies: Option<Range<f64>>,
+    /// Spectra [m s] over frequency to draw beside the computed ones.
+    #[serde(default)]
+    pub spectra: Vec<BesideInput>,
     /// Records to draw beside the computed shapes.
     #[serde(default)]
     pub measured: Vec<MeasuredInput>,
@@ -311,6 +326,62 @@ pub struct ReceptanceInput {
     pub receivers: Vec<f64>,
     /// The ground's surface around the force; none by default.
     pub map: Option<ReceptanceMapInput>,
+    /// Where the force stands [m], from a support, or from the first change of section; 0 by default.
+    pub from: Option<f64>,
+    /// Where the rail answers [m], from the same; under the force alone by default.
+    pub x: Option<Vec<f64>>,
+    /// How the rail is asked; the best for its track by default.
+    pub method: Option<Method>,
+    /// Another way, whose difference is reported.
+    pub verify: Option<Method>,
+    /// Moduli over frequency to draw beside the computed ones.
+    #[serde(default)]
+    pub measured: Vec<BesideInput>,
+}
+
+/// `[transition]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TransitionInput {
+    /// f [Hz], above zero, ascending.
+    pub frequencies: Range<f64>,
+    /// f [Hz] at which the receptance is drawn along the rail; none by default.
+    pub along: Option<Vec<f64>>,
+    /// Where the force of these stands [m] from the first change of section; half a metre before it by default.
+    pub from: Option<f64>,
+    /// Where they are drawn [m] from the first change; 15 m before it to 15 m behind by default.
+    pub x: Option<SpanInput>,
+    /// Spacing [m], 0.05 by default.
+    pub spacing: Option<f64>,
+}
+
+/// `[decay_rate]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DecayRateInput {
+    /// f [Hz], above zero, ascending.
+    pub frequencies: Range<f64>,
+    /// Which decay rate; that of the free wave by default.
+    pub method: Option<DecayRate>,
+    /// Where the force stands [m] from a support; in the middle of a bay by default.
+    pub from: Option<f64>,
+    /// How the rail is asked; the best for its track by default.
+    pub rail: Option<Method>,
+    /// Another way to ask it, whose difference is reported.
+    pub verify: Option<Method>,
+    /// Rates over frequency to draw beside the computed ones.
+    #[serde(default)]
+    pub measured: Vec<BesideInput>,
+}
+
+/// `[[receptance.measured]]`, `[[decay_rate.measured]]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BesideInput {
+    /// CSV file beside the case: a header line, then frequency and value, in Hz and SI units or those of the header.
+    pub file: String,
+    /// Legend entry.
+    pub label: String,
 }
 
 /// `[receptance.map]`

@@ -4,20 +4,23 @@ use super::checks::{FARTHEST, ascending, distinct, span};
 use super::error::Finding;
 use super::irregularity;
 use super::schema::{
-    CaseInput, ContourInput, CriticalSpeedInput, DispersionInput, EquivalentStiffnessInput, FreeFieldInput,
-    MeasuredInput, ReceptanceInput, SoilInput, SpanInput, SurfaceComplianceInput, TrackResponseInput,
+    BesideInput, CaseInput, ContourInput, CriticalSpeedInput, DecayRateInput, DispersionInput,
+    EquivalentStiffnessInput, FreeFieldInput, MeasuredInput, ReceptanceInput, SoilInput, SpanInput,
+    SurfaceComplianceInput, TrackResponseInput, TransitionInput,
 };
 use super::train::Wheels;
-use super::values::{Named, Range, Speed};
+use super::values::{Bands, Named, Range, Speed};
 use crate::assessment::Band;
 use crate::columns::{self, Columns};
 use crate::field::{Quantity, Window};
 use crate::math::decimal::arithmetic;
 use crate::quantity::positive;
+use crate::rail::Method;
 use crate::soil::{Solver, ThinLayer};
 use crate::study::{
-    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Irregularity, Receptance,
-    ReceptanceMap, Record, Roughness, Study, SurfaceComplianceTable, TrackResponse, same_speed,
+    Beside, Contour, CriticalSpeed, DecayRate, Dispersion, EquivalentStiffness, FreeField, Irregularity,
+    Receptance, ReceptanceMap, Record, Roughness, Study, SurfaceComplianceTable, TrackResponse, Transition,
+    same_speed,
 };
 use std::collections::BTreeSet;
 
@@ -36,7 +39,21 @@ fn numbers(
 ) -> Result<Vec<f64>, Finding> {
     let values = match *range {
         Range::List(ref list) => list.clone(),
-        Range::Steps { from, to, step } => {
+        Range::Steps { from, to, bands: Some(Bands::ThirdOctave), step } => {
+            if step.is_some() || unit != "Hz" {
+                return Err(match step {
+                    Some(_) => Finding::new(format!("{path}.step"), "step and bands are both given"),
+                    None => Finding::new(format!("{path}.bands"), "bands are of frequencies"),
+                }
+                .help("remove one of them"));
+            }
+            let bands = Band::range(from, to).map_err(|error| Finding::new(path, error))?;
+            bands.into_iter().map(Band::centre).collect()
+        }
+        Range::Steps { from, to, step, bands: None } => {
+            let Some(step) = step else {
+                return Err(Finding::new(path, "missing key `step`").help("give step, or a list [a, b, …]"));
+            };
             if !(from.is_finite() && to.is_finite() && step.is_finite()) {
                 return Err(Finding::new(
                     path,
@@ -82,12 +99,34 @@ const NOT_NEGATIVE: (fn(f64) -> bool, &str) = (|v| v >= 0.0, "not negative");
 fn plain(range: &Range<Speed>) -> Range<f64> {
     match range {
         Range::List(list) => Range::List(list.iter().map(|s| s.0).collect()),
-        Range::Steps { from, to, step } => Range::Steps { from: from.0, to: to.0, step: step.0 },
+        Range::Steps { from, to, step, bands } => {
+            Range::Steps { from: from.0, to: to.0, step: step.map(|step| step.0), bands: *bands }
+        }
     }
 }
 
 fn speeds(range: &Range<Speed>, path: &str) -> Result<Vec<f64>, Finding> {
     numbers(&plain(range), path, "m/s", NOT_NEGATIVE)
+}
+
+/// Two columns of the CSV `file` that the key at `at` names.
+fn columns_of(
+    file: &str,
+    at: &str,
+    files: &dyn Fn(&str) -> Result<String, String>,
+    wanted: &str,
+) -> Result<Columns, Finding> {
+    let text = files(file).map_err(|reason| {
+        Finding::new(at, format!("cannot read \"{file}\": {reason}"))
+            .help("the path is relative to the case file")
+    })?;
+    let wanted = format!("a header line, then {wanted}");
+    let columns =
+        columns::read(&text).map_err(|e| Finding::new(at, format!("{file}, {e}")).help(wanted.as_str()))?;
+    if columns.x.is_empty() {
+        return Err(Finding::new(at, format!("{file} has no numbers")).help(wanted));
+    }
+    Ok(columns)
 }
 
 /// A record's CSV: x′ and deflection.
@@ -97,16 +136,8 @@ fn record(
     files: &dyn Fn(&str) -> Result<String, String>,
 ) -> Result<Record, Finding> {
     let at = format!("{path}.file");
-    let text = files(&input.file).map_err(|reason| {
-        Finding::new(&at, format!("cannot read \"{}\": {reason}", input.file))
-            .help("the path is relative to the case file")
-    })?;
-    let wanted = "a header line, then x′ [m], deflection [m]";
     let Columns { x, values: deflection, .. } =
-        columns::read(&text).map_err(|e| Finding::new(&at, format!("{}, {e}", input.file)).help(wanted))?;
-    if x.is_empty() {
-        return Err(Finding::new(&at, format!("{} has no numbers", input.file)).help(wanted));
-    }
+        columns_of(&input.file, &at, files, "x′ [m], deflection [m]")?;
     Ok(Record { speed: input.speed.0, label: input.label.clone(), x, deflection })
 }
 
@@ -121,10 +152,12 @@ fn track_response(
         .enumerate()
         .map(|(i, m)| record(m, &format!("track_response.measured[{i}]"), files))
         .collect::<Result<_, _>>()?;
-    let spacing = positive("spacing", input.spacing.unwrap_or(0.1), "m")
-        .map_err(|e| Finding::out_of_range("track_response", e))?;
+    let spacing = input.spacing.map(|spacing| positive("spacing", spacing, "m")).transpose();
+    let spacing = spacing.map_err(|e| Finding::out_of_range("track_response", e))?;
     let length = x.map_or(1000.0, |(from, to)| to - from);
-    if length / spacing >= MOST as f64 {
+    if let Some(spacing) = spacing
+        && length / spacing >= MOST as f64
+    {
         let found =
             format!("a spacing of {spacing} m makes {:.0} positions, more than {MOST}", length / spacing);
         return Err(Finding::new("track_response.spacing", found).help("use a larger spacing"));
@@ -139,7 +172,27 @@ fn track_response(
                 .help("add the speed to track_response.speeds"));
         }
     }
-    Ok(TrackResponse { speeds, x, spacing, records })
+    let frequencies = input.frequencies.as_ref().map(|frequencies| {
+        let path = "track_response.frequencies";
+        let frequencies = numbers(frequencies, path, "Hz", POSITIVE)?;
+        ascending(&frequencies, path)?;
+        Ok(frequencies)
+    });
+    if let Some(harmonic) = input.harmonic {
+        positive("harmonic", harmonic, "Hz").map_err(|e| Finding::out_of_range("track_response", e))?;
+    }
+    let spectra = beside(&input.spectra, "track_response.spectra", files)?;
+    let at = if input.at.is_empty() { Vec::new() } else { places(&input.at, "track_response.at")? };
+    Ok(TrackResponse {
+        speeds,
+        x,
+        spacing,
+        records,
+        at,
+        harmonic: input.harmonic,
+        frequencies: frequencies.transpose()?.unwrap_or_default(),
+        beside: spectra,
+    })
 }
 
 /// The part of the surface to map, of the study `path`.
@@ -210,7 +263,41 @@ fn receivers(values: &[f64], path: &str) -> Result<Vec<f64>, Finding> {
     }
 }
 
-fn receptance(input: &ReceptanceInput) -> Result<Receptance, Finding> {
+/// Curves to draw beside the computed ones, of the list at `path`.
+fn beside(
+    input: &[BesideInput],
+    path: &str,
+    files: &dyn Fn(&str) -> Result<String, String>,
+) -> Result<Vec<Beside>, Finding> {
+    let one = |(i, beside): (usize, &BesideInput)| {
+        let at = format!("{path}[{i}].file");
+        let Columns { x, values, .. } = columns_of(&beside.file, &at, files, "frequency [Hz], value")?;
+        Ok(Beside { label: beside.label.clone(), x, values })
+    };
+    input.iter().enumerate().map(one).collect()
+}
+
+/// A second method that is another one.
+fn another(method: Option<Method>, verify: Option<Method>, path: &str) -> Result<(), Finding> {
+    if verify.is_some() && method == verify {
+        return Err(Finding::new(format!("{path}.verify"), "it is the method itself")
+            .help("name another method, or remove it"));
+    }
+    Ok(())
+}
+
+/// Places along the rail.
+fn places(x: &[f64], path: &str) -> Result<Vec<f64>, Finding> {
+    let finite = |v: f64| v.abs() <= FARTHEST;
+    let x = numbers(&Range::List(x.to_vec()), path, "m", (finite, "within 10 km"))?;
+    distinct(&x, path, "m")?;
+    Ok(x)
+}
+
+fn receptance(
+    input: &ReceptanceInput,
+    files: &dyn Fn(&str) -> Result<String, String>,
+) -> Result<Receptance, Finding> {
     let frequencies = numbers(&input.frequencies, "receptance.frequencies", "Hz", POSITIVE)?;
     ascending(&frequencies, "receptance.frequencies")?;
     let receivers = receivers(&input.receivers, "receptance.receivers")?;
@@ -222,7 +309,62 @@ fn receptance(input: &ReceptanceInput) -> Result<Receptance, Finding> {
         let window = window(map.x, map.y, map.spacing, "receptance.map")?;
         Ok(ReceptanceMap { frequencies, window })
     });
-    Ok(Receptance { frequencies, receivers, map: map.transpose()? })
+    another(input.method, input.verify, "receptance")?;
+    let from = input.from.unwrap_or(0.0);
+    places(&[from], "receptance.from")?;
+    Ok(Receptance {
+        frequencies,
+        from,
+        x: input.x.as_ref().map(|x| places(x, "receptance.x")).transpose()?,
+        method: input.method,
+        verify: input.verify,
+        receivers,
+        map: map.transpose()?,
+        beside: beside(&input.measured, "receptance.measured", files)?,
+    })
+}
+
+fn decay_rate(
+    input: &DecayRateInput,
+    files: &dyn Fn(&str) -> Result<String, String>,
+) -> Result<DecayRate, Finding> {
+    let frequencies = numbers(&input.frequencies, "decay_rate.frequencies", "Hz", POSITIVE)?;
+    ascending(&frequencies, "decay_rate.frequencies")?;
+    another(input.rail, input.verify, "decay_rate")?;
+    if let Some(from) = input.from {
+        places(&[from], "decay_rate.from")?;
+    }
+    Ok(DecayRate {
+        frequencies,
+        definition: input.method.unwrap_or_default(),
+        from: input.from,
+        rail: input.rail,
+        verify: input.verify,
+        beside: beside(&input.measured, "decay_rate.measured", files)?,
+    })
+}
+
+fn transition(input: &TransitionInput) -> Result<Transition, Finding> {
+    let frequencies = numbers(&input.frequencies, "transition.frequencies", "Hz", POSITIVE)?;
+    ascending(&frequencies, "transition.frequencies")?;
+    let along = input.along.as_ref().map(|along| {
+        let along = numbers(&Range::List(along.clone()), "transition.along", "Hz", POSITIVE)?;
+        distinct(&along, "transition.along", "Hz")?;
+        Ok(along)
+    });
+    let x = input.x.map(|x| span(x, "transition.x")).transpose()?.unwrap_or((-15.0, 15.0));
+    let spacing = positive("spacing", input.spacing.unwrap_or(0.05), "m")
+        .map_err(|e| Finding::out_of_range("transition", e))?;
+    if (x.1 - x.0) / spacing >= MOST as f64 {
+        let message = format!(
+            "a spacing of {spacing} m makes {:.0} positions, more than {MOST}",
+            (x.1 - x.0) / spacing
+        );
+        return Err(Finding::new("transition.spacing", message).help("use a larger spacing"));
+    }
+    let from = input.from.unwrap_or(-0.5);
+    places(&[from], "transition.from")?;
+    Ok(Transition { frequencies, along: along.transpose()?.unwrap_or_default(), from, x, spacing })
 }
 
 /// Farthest receiver of a free field [m].
@@ -310,12 +452,14 @@ fn surface_compliance(input: &SurfaceComplianceInput) -> Result<SurfaceComplianc
 }
 
 /// Names of the tables that ask for something.
-const STUDIES: [&str; 8] = [
+const STUDIES: [&str; 10] = [
     "critical_speed",
     "dispersion",
     "track_response",
     "contour",
     "receptance",
+    "decay_rate",
+    "transition",
     "free_field",
     "equivalent_stiffness",
     "surface_compliance",
@@ -341,12 +485,14 @@ pub fn studies(
         let smooth = free_field(study, input)?;
         Ok(Study::FreeField(Box::new(FreeField { roughness: on_rail.cloned(), ..smooth })))
     };
-    let asked: [Option<Result<Study, Finding>>; 8] = [
+    let asked: [Option<Result<Study, Finding>>; 10] = [
         input.critical_speed.as_ref().map(|s| critical_speed(s).map(Study::CriticalSpeed)),
         input.dispersion.as_ref().map(|s| dispersion(s).map(Study::Dispersion)),
         input.track_response.as_ref().map(|s| track_response(s, files).map(Study::TrackResponse)),
         input.contour.as_ref().map(|s| contour(s).map(Study::Contour)),
-        input.receptance.as_ref().map(|s| receptance(s).map(Study::Receptance)),
+        input.receptance.as_ref().map(|s| receptance(s, files).map(Study::Receptance)),
+        input.decay_rate.as_ref().map(|s| decay_rate(s, files).map(Study::DecayRate)),
+        input.transition.as_ref().map(|s| transition(s).map(Study::Transition)),
         input.free_field.as_ref().map(free),
         input.equivalent_stiffness.as_ref().map(|s| equivalent_stiffness(s).map(Study::EquivalentStiffness)),
         input.surface_compliance.as_ref().map(|s| surface_compliance(s).map(Study::SurfaceCompliance)),

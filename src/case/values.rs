@@ -65,7 +65,15 @@ impl JsonSchema for Speed {
     }
 }
 
-/// Several values: a list, or { from, to, step }.
+/// Frequencies that stand for a band each.
+#[derive(Clone, Copy, Debug, Deserialize, Eq, JsonSchema, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum Bands {
+    /// The centres of the third-octave bands, exact to base ten.
+    ThirdOctave,
+}
+
+/// Several values: a list, { from, to, step }, or of frequencies { from, to, bands }.
 #[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(deny_unknown_fields, expecting = "a list [a, b, …] or a range { from = …, to = …, step = … }")]
 #[schemars(untagged, rename = "Range_of_{T}")]
@@ -81,7 +89,9 @@ pub enum Range<T> {
         /// Last value.
         to: T,
         /// Spacing.
-        step: T,
+        step: Option<T>,
+        /// Instead of the spacing: centres of the bands of `from` to that of `to`.
+        bands: Option<Bands>,
     },
 }
 

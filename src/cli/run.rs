@@ -111,8 +111,8 @@ fn print(case: &Case, summary: &Summary, out: &Path, started: Instant) {
             say(&format!("  {:62} {}", answer.what, answer.shown));
         }
         if let Some(verification) = &summary.verification {
-            for (_, comparison) in verification.studies.iter().filter(|(name, _)| name == study) {
-                say(&format!("  verified with {}: {comparison}", verification.solver));
+            for verified in verification.studies.iter().filter(|verified| verified.study == *study) {
+                say(&format!("  verified with {}: {}", verified.solver, verified.comparison));
             }
         }
     }

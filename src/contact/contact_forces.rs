@@ -7,6 +7,7 @@
 use super::WheelRail;
 use super::wheel_rail::Distances;
 use crate::math::interpolation::lagrange_within;
+use crate::math::quadrature::miss;
 use crate::progress::Observer;
 use crate::rail::InteractionError;
 use num_complex::Complex64;
@@ -28,15 +29,16 @@ pub struct ContactForces<'a> {
     starts: Vec<f64>,
     /// By ln Ω, ascending.
     table: Vec<Entry>,
-    /// False where a receptance missed its accuracy, or the forces theirs.
-    pub converged: bool,
+    /// Error of a receptance or of the forces over what was allowed, where it is largest: at most 1 where the accuracy was reached.
+    pub worst: f64,
 }
 
 /// α at one ln Ω.
 struct Entry {
     place: f64,
     alpha: Vec<Complex64>,
-    converged: bool,
+    /// Its error over what was allowed.
+    worst: f64,
 }
 
 impl<'a> ContactForces<'a> {
@@ -59,22 +61,27 @@ impl<'a> ContactForces<'a> {
         // on one rail
         let starts = wheels.bodies.axles().iter().map(|a| -a.position).collect();
         let mut forces =
-            Self { wheels, distances: wheels.distances(), starts, table: Vec::new(), converged: true };
+            Self { wheels, distances: wheels.distances(), starts, table: Vec::new(), worst: 0.0 };
         forces.table = forces.ask(&places, observer)?;
         let mut steps: Vec<(f64, f64)> = places.windows(2).map(|pair| (pair[0], pair[1])).collect();
+        let mut between = 0.0;
         for _ in 0..HALVINGS {
             let middles: Vec<f64> = steps.iter().map(|step| 0.5 * (step.0 + step.1)).collect();
             let entries = forces.ask(&middles, observer)?;
+            let misses: Vec<f64> = entries.iter().map(|entry| forces.miss(entry)).collect();
+            between = misses.iter().copied().fold(0.0, f64::max);
             steps = steps
                 .into_iter()
                 .zip(&entries)
-                .filter(|(_, entry)| !forces.foresees(entry))
+                .zip(misses)
+                .filter(|(_, miss)| *miss > 1.0)
+                .map(|(step, _)| step)
                 .flat_map(|((from, to), entry)| [(from, entry.place), (entry.place, to)])
                 .collect();
             forces.table.extend(entries);
             forces.table.sort_by(|a, b| a.place.total_cmp(&b.place));
         }
-        forces.converged = steps.is_empty() && forces.table.iter().all(|entry| entry.converged);
+        forces.worst = forces.table.iter().map(|entry| entry.worst).fold(between, f64::max);
         Ok(forces)
     }
 
@@ -87,24 +94,27 @@ impl<'a> ContactForces<'a> {
         let entries = places
             .par_iter()
             .map(|&place| {
-                let (alpha, converged) =
-                    self.wheels.rail_at(&self.distances, place.exp() * self.wheels.speed)?;
+                let (alpha, worst) = self.wheels.rail_at(&self.distances, place.exp() * self.wheels.speed)?;
                 observer.advance();
-                Ok(Entry { place, alpha, converged })
+                Ok(Entry { place, alpha, worst })
             })
             .collect();
         observer.end();
         entries
     }
 
-    /// True if the table without `entry` gives its forces.
-    fn foresees(&self, entry: &Entry) -> bool {
+    /// How far the forces of the table without `entry` are from those of it, over what is allowed.
+    fn miss(&self, entry: &Entry) -> f64 {
         let (exact, guess) = (
             self.forces(&entry.alpha, entry.place),
             self.forces(&self.interpolated(entry.place), entry.place),
         );
         let largest = exact.iter().map(|p| p.norm()).fold(0.0, f64::max);
-        exact.iter().zip(&guess).all(|(p, q)| (q - p).norm() <= ACCURACY * p.norm().max(0.1 * largest))
+        let misses = exact
+            .iter()
+            .zip(&guess)
+            .map(|(p, q)| miss((q - p).norm(), ACCURACY * p.norm().max(0.1 * largest)));
+        misses.fold(0.0, f64::max)
     }
 
     /// α at ln Ω = `place` from the polynomial through its neighbours; no number beyond the table.

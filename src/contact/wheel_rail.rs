@@ -56,14 +56,15 @@ impl Distances {
 }
 
 impl WheelRail<'_> {
-    /// α [m/N] at ω̃ = `omega` > 0 [rad/s], wheels × wheels, and whether its accuracy was met.
+    /// α [m/N] at ω̃ = `omega` > 0 [rad/s], wheels × wheels, and its error over what was allowed: at most 1 where the
+    /// accuracy was reached.
     ///
     /// # Errors
     /// A foundation that cannot answer; a response that diverges.
-    pub fn rail(&self, omega: f64) -> Result<(DMatrix<Complex64>, bool), InteractionError> {
+    pub fn rail(&self, omega: f64) -> Result<(DMatrix<Complex64>, f64), InteractionError> {
         let distances = self.distances();
-        let (alpha, converged) = self.rail_at(&distances, omega)?;
-        Ok((distances.matrix(&alpha), converged))
+        let (alpha, worst) = self.rail_at(&distances, omega)?;
+        Ok((distances.matrix(&alpha), worst))
     }
 
     pub(super) fn distances(&self) -> Distances {
@@ -79,15 +80,15 @@ impl WheelRail<'_> {
         Distances { between, different }
     }
 
-    /// α [m/N] at the different `distances`, and whether its accuracy was met.
+    /// α [m/N] at the different `distances`, and its error over what was allowed.
     pub(super) fn rail_at(
         &self,
         distances: &Distances,
         omega: f64,
-    ) -> Result<(Vec<Complex64>, bool), InteractionError> {
+    ) -> Result<(Vec<Complex64>, f64), InteractionError> {
         let reach = distances.different().fold(0.0, f64::max);
         let load = self.track.harmonic(omega, self.speed, reach)?;
-        Ok((distances.different().map(|x| load.rail(x)).collect(), load.converged))
+        Ok((distances.different().map(|x| load.rail(x)).collect(), load.worst))
     }
 
     /// P_i [N] per metre of a profile e^{iΩx} of the rail, Ω = ω̃/v, from α at ω̃ = `omega`; NaN where the matrix is singular, which

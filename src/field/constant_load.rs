@@ -27,8 +27,8 @@ pub struct SlowLoad {
     step: f64,
     /// ln |h|² of each frequency and receiver; None where nothing arrives that the integral could tell from its rounding.
     logarithms: Vec<Vec<Option<f64>>>,
-    /// False where a value that matters missed its accuracy.
-    pub converged: bool,
+    /// Error of a value that matters over what was allowed, where it is largest: at most 1 where the accuracy was reached.
+    pub worst: f64,
 }
 
 impl SlowLoad {
@@ -51,7 +51,7 @@ impl SlowLoad {
         };
         let count = 4 * pass.bands.len().max(1) + 1;
         let step = (high - low) / (count - 1) as f64;
-        let rows: Vec<Vec<Option<(Complex64, bool)>>> = (0..count)
+        let rows: Vec<Vec<Option<(Complex64, f64)>>> = (0..count)
             .into_par_iter()
             .map(|i| {
                 let omega = TAU * (low + step * i as f64).exp();
@@ -64,13 +64,15 @@ impl SlowLoad {
         // velocities ω|h| of less than 1e-3 of a receiver's largest add 1e-6 of its energy: what is known of them does not count
         let velocity =
             |i: usize, r: usize| rows[i][r].map_or(0.0, |h| h.0.norm() * (low + step * i as f64).exp());
-        let converged = (0..pass.receivers.len()).all(|r| {
+        let missed = (0..pass.receivers.len()).map(|r| {
             let largest = (0..count).map(|i| velocity(i, r)).fold(0.0, f64::max);
-            (0..count).all(|i| rows[i][r].is_none_or(|h| h.1) || velocity(i, r) < 1e-3 * largest)
+            let quiet = |i: usize| velocity(i, r) < 1e-3 * largest;
+            (0..count).filter(|i| !quiet(*i)).filter_map(|i| rows[i][r].map(|h| h.1)).fold(0.0, f64::max)
         });
-        let logarithm = |h: Option<(Complex64, bool)>| h.map(|h| h.0.norm_sqr().ln());
+        let worst = missed.fold(0.0, f64::max);
+        let logarithm = |h: Option<(Complex64, f64)>| h.map(|h| h.0.norm_sqr().ln());
         let logarithms = rows.into_iter().map(|row| row.into_iter().map(logarithm).collect()).collect();
-        Ok(Self { low, step, logarithms, converged })
+        Ok(Self { low, step, logarithms, worst })
     }
 
     /// |h|² at receiver number `receiver` and `f` [Hz]: a cubic through four logarithms; 0 where one of them is not known.
@@ -97,8 +99,11 @@ impl ConstantLoad<'_> {
         }
     }
 
-    /// False where a value of a slow load missed its accuracy; sections know their own.
-    pub fn converged(&self) -> bool {
-        !matches!(self, Self::Slow(slow) if !slow.converged)
+    /// Error over what was allowed, where it is largest: at most 1 where the accuracy was reached.
+    pub fn worst(&self) -> f64 {
+        match self {
+            Self::Slow(slow) => slow.worst,
+            Self::Fast(sections) => sections.worst,
+        }
     }
 }

@@ -54,8 +54,8 @@ impl Times {
 pub struct QuasiStatic {
     /// [m/s], positive down, receivers × times.
     pub velocity: Array2<f64>,
-    /// False where an integral missed its accuracy.
-    pub converged: bool,
+    /// Error of an integral over what was allowed, where it is largest: at most 1 where the accuracy was reached.
+    pub worst: f64,
 }
 
 impl Pass<'_> {
@@ -84,20 +84,20 @@ impl Pass<'_> {
         let ground = (profile, pointwise(solver));
         let reach = self.speed * times.period().max(times.first.abs());
         observer.begin("quasi-static", self.receivers.len() as u64);
-        let rows: Vec<(Vec<f64>, bool)> = self
+        let rows: Vec<(Vec<f64>, f64)> = self
             .receivers
             .par_iter()
             .map(|&y| {
                 let one = track.passage(ground, strip, self.speed, y, reach)?;
                 let all = one.of_train(self.train.axles());
                 observer.advance();
-                Ok((all.velocities(times.first, times.step, times.count), one.converged))
+                Ok((all.velocities(times.first, times.step, times.count), one.worst))
             })
             .collect::<Result<_, InteractionError>>()?;
         observer.end();
         Ok(QuasiStatic {
             velocity: Array2::from_shape_fn((rows.len(), times.count), |(r, i)| rows[r].0[i]),
-            converged: rows.iter().all(|row| row.1),
+            worst: rows.iter().map(|row| row.1).fold(0.0, f64::max),
         })
     }
 

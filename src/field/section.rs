@@ -2,7 +2,6 @@
 
 use super::transfer::Transfer;
 use crate::math::interpolation::Interpolant;
-use crate::rail::within;
 use crate::soil::{PreparedGround, Strip};
 use crate::track::Stack;
 use num_complex::Complex64;
@@ -16,7 +15,8 @@ pub struct Section {
     transfers: Vec<Interpolant>,
     /// Largest β that reaches a receiver [rad/m].
     reach: Vec<f64>,
-    converged: bool,
+    /// Error of a table or an integral over what was allowed, where it is largest: at most 1 where the accuracy was reached.
+    pub worst: f64,
 }
 
 impl Section {
@@ -44,13 +44,13 @@ impl Section {
             points
         };
         // 1/k_eq is smooth beside h: one table serves all receivers
-        let converged = Cell::new(true);
+        let worst = Cell::new(0.0f64);
         let widest = receivers.iter().map(|&y| beta_max(y)).fold(0.0, f64::max);
         let compliance = Interpolant::new(
             |nodes| {
                 nodes.map(|beta| {
                     let estimate = transfer.compliance(beta, 0.1 * ACCURACY);
-                    converged.set(converged.get() && within(&estimate, ACCURACY));
+                    worst.set(worst.get().max(estimate.miss(ACCURACY)));
                     estimate.value
                 })
             },
@@ -61,8 +61,8 @@ impl Section {
         for &y in receivers {
             let top = beta_max(y);
             let h = |beta: f64| {
-                let (receiver, met) = transfer.receiver(beta, y, 0.1 * ACCURACY);
-                converged.set(converged.get() && met);
+                let (receiver, miss) = transfer.receiver(beta, y, 0.1 * ACCURACY);
+                worst.set(worst.get().max(miss));
                 transfer.force(beta, compliance.at(beta)) * receiver
             };
             let largest = (0..=12).map(|i| h(slowest * f64::from(i) / 12.0).norm()).fold(0.0, f64::max);
@@ -70,8 +70,9 @@ impl Section {
             transfers.push(table);
             reach.push(top);
         }
-        let tables = compliance.converged() && transfers.iter().all(Interpolant::converged);
-        Self { transfers, reach, converged: tables && converged.get() }
+        let worst =
+            transfers.iter().map(|table| table.worst).fold(worst.get().max(compliance.worst), f64::max);
+        Self { transfers, reach, worst }
     }
 
     /// h(β) at receiver number `receiver` [m per N/m]; 0 where β is too short a wave to arrive.
@@ -83,10 +84,5 @@ impl Section {
     /// Largest β that reaches receiver number `receiver` [rad/m].
     pub fn reach(&self, receiver: usize) -> f64 {
         self.reach[receiver]
-    }
-
-    /// False where a table or an integral was accepted without meeting its tolerance.
-    pub fn converged(&self) -> bool {
-        self.converged
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Section;
 use crate::math::interpolation::lagrange_within;
+use crate::math::quadrature::miss;
 use crate::progress::Observer;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -23,8 +24,9 @@ pub struct Sections {
     /// Distances of the receivers [m] and the slowness of the slowest wave [s/m].
     receivers: Vec<f64>,
     slowness: f64,
-    /// False where sections are too far apart or one of them missed its accuracy.
-    pub converged: bool,
+    /// Error over what was allowed, of a section or of what lies between two, where it is largest: at most 1 where the accuracy was
+    /// reached.
+    pub worst: f64,
 }
 
 /// h(β) at one ω between the sections.
@@ -73,9 +75,10 @@ impl Sections {
         };
         let sections = make(&omega)?;
         let receivers = receivers.to_vec();
-        let mut result = Self { omega, sections, receivers, slowness, converged: false };
+        let mut result = Self { omega, sections, receivers, slowness, worst: 0.0 };
         // whether the interval above each section is to be halved
         let mut halve = vec![true; result.omega.len() - 1];
+        let mut between = 0.0;
         for _ in 0..HALVINGS {
             let middles: Vec<f64> = (0..halve.len())
                 .filter(|i| halve[*i])
@@ -85,11 +88,13 @@ impl Sections {
                 break;
             }
             let new = make(&middles)?;
-            let told: Vec<bool> =
-                middles.iter().zip(&new).map(|(w, section)| result.at(*w).differs(section)).collect();
+            let apart: Vec<f64> =
+                middles.iter().zip(&new).map(|(w, section)| result.at(*w).miss(section)).collect();
+            between = apart.iter().copied().fold(0.0, f64::max);
+            let told = apart.iter().map(|apart| *apart > 1.0).collect();
             halve = result.merge(&halve, (middles, new, told));
         }
-        result.converged = !halve.contains(&true) && result.sections.iter().all(Section::converged);
+        result.worst = result.sections.iter().map(|section| section.worst).fold(between, f64::max);
         Ok(result)
     }
 
@@ -159,9 +164,9 @@ impl Between<'_> {
         self.parts.iter().map(part).sum()
     }
 
-    /// Whether `section`, at this ω, is something else than what its neighbours say.
-    fn differs(&self, section: &Section) -> bool {
-        (0..self.of.receivers.len()).any(|r| {
+    /// How far `section`, at this ω, is from what its neighbours say, over what is allowed.
+    fn miss(&self, section: &Section) -> f64 {
+        let apart = (0..self.of.receivers.len()).map(|r| {
             let (mut largest, mut difference) = (0.0f64, 0.0f64);
             for i in 0..PROBES {
                 let beta = 1.2 * self.of.slowness * self.omega * (i as f64 + 0.5) / PROBES as f64;
@@ -169,7 +174,8 @@ impl Between<'_> {
                 largest = largest.max(h.norm());
                 difference = difference.max((self.transfer(r, beta) - h).norm());
             }
-            difference > PREDICTED * largest
-        })
+            miss(difference, PREDICTED * largest)
+        });
+        apart.fold(0.0, f64::max)
     }
 }

@@ -8,7 +8,7 @@
 //! A force P e^{iω̃t} moving at v passes a receiver at x = 0 as the spectrum û(ω) = (P/v) h((ω̃ − ω)/v, ω).
 
 use crate::math::quadrature::Estimate;
-use crate::rail::{NEGLIGIBLE, decay, within};
+use crate::rail::{NEGLIGIBLE, decay};
 use crate::soil::{PreparedGround, Strip};
 use crate::track::Stack;
 use num_complex::Complex64;
@@ -46,13 +46,13 @@ impl<'a> Transfer<'a> {
         decay(beta, self.slowest, y - self.strip.half_width)
     }
 
-    /// R(β; y) [m²/N] to `relative` of the waves beside which it decays, not of itself, and whether ten times that was reached where
-    /// anything arrives.
-    pub fn receiver(&self, beta: f64, y: f64, relative: f64) -> (Complex64, bool) {
+    /// R(β; y) [m²/N] to `relative` of the waves beside which it decays, not of itself, and its error over ten times that; 0 where
+    /// nothing arrives.
+    pub fn receiver(&self, beta: f64, y: f64, relative: f64) -> (Complex64, f64) {
         let nepers = self.nepers(beta, y);
         let wanted = (relative * nepers.exp()).min(0.1);
         let estimate = self.ground.receiver(beta, self.strip.half_width, y, wanted);
-        (estimate.value, nepers > NEGLIGIBLE || within(&estimate, 10.0 * wanted))
+        (estimate.value, if nepers > NEGLIGIBLE { 0.0 } else { estimate.miss(10.0 * wanted) })
     }
 
     /// R(β; y) [m²/N] for many `y`, nearest first, to a `relative` accuracy.
@@ -60,9 +60,9 @@ impl<'a> Transfer<'a> {
         self.ground.receivers(beta, self.strip.half_width, y, relative)
     }
 
-    /// h(β) at `y` itself [m per N/m] to 1e-5, and whether at least `least` was reached. None where waves decay by more than 25 Np on
+    /// h(β) at `y` itself [m per N/m] to 1e-5, and its error over `least` of it. None where waves decay by more than 25 Np on
     /// the way: what little arrives is rounding of the integral, and no number is made of it.
-    pub fn exact(&self, beta: f64, y: f64, least: f64) -> Option<(Complex64, bool)> {
+    pub fn exact(&self, beta: f64, y: f64, least: f64) -> Option<(Complex64, f64)> {
         const EXACT: f64 = 1e-5;
         if self.nepers(beta, y) > NEGLIGIBLE {
             return None;
@@ -70,6 +70,6 @@ impl<'a> Transfer<'a> {
         let under = self.compliance(beta, EXACT);
         let beside = self.ground.receiver(beta, self.strip.half_width, y, EXACT);
         let h = self.force(beta, under.value) * beside.value;
-        Some((h, within(&under, least) && within(&beside, least)))
+        Some((h, under.miss(least).max(beside.miss(least))))
     }
 }

@@ -16,6 +16,7 @@ pub use pasternak::Pasternak;
 pub use springs::Springs;
 pub use winkler::Winkler;
 
+use crate::math::quadrature::miss;
 use crate::quantity::OutOfRange;
 use crate::soil::SoilError;
 use crate::track::{Stack, TrackError};
@@ -69,6 +70,9 @@ impl FoundationModel {
     }
 }
 
+/// Relative accuracy of a stiffness asked for itself.
+pub const ACCURACY: f64 = 1e-8;
+
 /// A stiffness with what is known of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stiffness {
@@ -116,6 +120,14 @@ pub enum Grain {
     Pieces(Vec<f64>),
 }
 
+impl Stiffness {
+    /// Error over what was allowed, `relative` of the value: at most 1 where that was met, or what was asked for.
+    pub fn miss(&self, relative: f64) -> f64 {
+        let factor = miss(self.relative_error, relative);
+        if self.converged { factor.min(1.0) } else { factor }
+    }
+}
+
 /// A foundation.
 pub trait Foundation: Send + Sync {
     /// k(β, ω) [N/m²].
@@ -137,7 +149,7 @@ pub trait Foundation: Send + Sync {
     /// # Errors
     /// As `answer`.
     fn stiffness(&self, beta: f64, omega: f64) -> Result<Stiffness, FoundationError> {
-        self.stiffness_to(beta, omega, 1e-8)
+        self.stiffness_to(beta, omega, ACCURACY)
     }
 
     /// Refuses `omega` [rad/s] at which springs are none; a constant load asks at 0, whatever its speed.
@@ -146,6 +158,11 @@ pub trait Foundation: Send + Sync {
     /// As [`Stack::check`].
     fn check(&self, _omega: f64) -> Result<(), FoundationError> {
         Ok(())
+    }
+
+    /// The springs it is, if it is one of springs.
+    fn springs(&self) -> Option<&Springs> {
+        None
     }
 
     /// How it is best asked along a line.

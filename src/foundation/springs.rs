@@ -61,6 +61,10 @@ impl TryFrom<FoundationModel> for Springs {
 }
 
 impl Foundation for Springs {
+    fn springs(&self) -> Option<&Springs> {
+        Some(self)
+    }
+
     fn check(&self, omega: f64) -> Result<(), FoundationError> {
         Ok(self.stack.check(omega)?)
     }

@@ -1,5 +1,6 @@
 //! Adaptive piecewise Chebyshev interpolation: many cheap values of a dear complex function.
 
+use super::quadrature::miss;
 use num_complex::Complex64;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -64,10 +65,7 @@ impl Piece {
         let coefficients = chebyshev_coefficients(&values);
         let tail = coefficients[NODES - 1].norm().max(coefficients[NODES - 2].norm());
         let least = nodes.iter().zip(&values).map(|(&x, &v)| allowed(x, v)).fold(f64::INFINITY, f64::min);
-        // written so that NaN is missed
-        let miss = if tail <= least { (tail / least).min(1.0) } else { tail / least };
-        let miss = if miss.is_nan() { f64::INFINITY } else { miss };
-        Ok(Self { from, to, depth, coefficients, miss })
+        Ok(Self { from, to, depth, coefficients, miss: miss(tail, least) })
     }
 }
 

@@ -3,6 +3,8 @@
 pub mod bessel;
 pub mod complex;
 pub mod decimal;
+pub mod expression;
+pub mod filon;
 pub mod fourier;
 pub mod interpolation;
 pub mod maximum;

@@ -59,16 +59,27 @@ pub fn roots(p: &[Complex64]) -> Vec<Complex64> {
     }
 }
 
-/// Aberth's iteration, started on circles of the sizes that the coefficients tell.
+/// On circles whose radii are the slopes of the upper hull of ln|pₖ| over k (Bini 1996), which no missing power disturbs.
+fn first_guesses(p: &[Complex64]) -> Vec<Complex64> {
+    let slope = |i: usize, j: usize| (p[j].norm().ln() - p[i].norm().ln()) / (j - i) as f64;
+    let degree = p.len() - 1;
+    // roots at zero
+    let mut from = p.iter().position(|c| *c != Complex64::ZERO).unwrap_or(degree);
+    let mut guesses = vec![Complex64::ZERO; from];
+    while from < degree {
+        let ends = from + 1..=degree;
+        let to = ends.max_by(|a, b| slope(from, *a).total_cmp(&slope(from, *b))).unwrap_or(degree);
+        let turn = |k: usize| TAU * (k - from) as f64 / (to - from) as f64 + 0.7 + from as f64;
+        guesses.extend((from..to).map(|k| Complex64::from_polar((-slope(from, to)).exp(), turn(k))));
+        from = to;
+    }
+    guesses
+}
+
+/// Aberth's iteration.
 fn simultaneous(p: &[Complex64]) -> Vec<Complex64> {
     let degree = p.len() - 1;
-    let mut roots: Vec<Complex64> = (0..degree)
-        .map(|i| {
-            // |a_i/a_{i+1}|, that of root number i where the roots are far apart
-            let size = (p[i].norm() / p[i + 1].norm()).clamp(1e-100, 1e100);
-            Complex64::from_polar(size, TAU * (i as f64 + 0.3) / degree as f64)
-        })
-        .collect();
+    let mut roots = first_guesses(p);
     for _ in 0..MOST {
         let mut moved = 0.0f64;
         for i in 0..degree {
@@ -120,6 +131,12 @@ mod tests {
             }
         }
         assert!(roots(&[Complex64::ONE]).is_empty());
+        // powers that are missing, and roots at zero: x²(x⁴ + 1)
+        let mut gaps = vec![Complex64::ZERO; 7];
+        (gaps[2], gaps[6]) = (Complex64::ONE, Complex64::ONE);
+        let found = roots(&gaps);
+        assert_eq!(found.iter().filter(|x| **x == Complex64::ZERO).count(), 2);
+        assert_eq!(found.iter().filter(|x| (x.powi(4) + 1.0).norm() < 1e-14).count(), 4);
         // a leading coefficient of zero
         assert_eq!(roots(&[-Complex64::ONE, Complex64::ONE, Complex64::ZERO]), [Complex64::ONE]);
     }

@@ -43,6 +43,28 @@ pub struct Estimate {
     pub converged: bool,
 }
 
+/// `error` over what was `allowed`: at most 1 where it was met, infinite where nothing is known.
+pub fn miss(error: f64, allowed: f64) -> f64 {
+    let factor = error / allowed;
+    // written so that NaN is missed
+    if error <= allowed {
+        factor.min(1.0)
+    } else if factor.is_nan() {
+        f64::INFINITY
+    } else {
+        factor
+    }
+}
+
+impl Estimate {
+    /// Error over what was allowed, `relative` of the value: at most 1 where that was met, or what was asked for, as it is by those
+    /// who ask for more.
+    pub fn miss(&self, relative: f64) -> f64 {
+        let factor = miss(self.error, relative * self.value.norm());
+        if self.converged { factor.min(1.0) } else { factor }
+    }
+}
+
 /// Fifteen samples of one panel: abscissae, Kronrod weights scaled to the panel, and values.
 #[derive(Clone, Debug)]
 struct Panel {
@@ -267,6 +289,23 @@ mod tests {
             integrate(|x| Complex64::new(1.0 / x, 0.0), &[0.0, 1.0], Tolerance { max_count: 600, ..TIGHT });
         assert!(!got.converged);
         assert!(got.count <= 600);
+    }
+
+    #[test]
+    fn a_miss_is_error_over_allowed() {
+        assert_eq!((miss(3.0, 2.0), miss(1.0, 2.0), miss(0.0, 0.0)), (1.5, 0.5, 1.0));
+        assert_eq!(
+            (miss(1.0, 0.0), miss(f64::NAN, 1.0), miss(1.0, f64::NAN)),
+            (f64::INFINITY, f64::INFINITY, f64::INFINITY)
+        );
+        let estimate =
+            |converged| Estimate { value: Complex64::new(0.0, 2.0), error: 3e-3, count: 15, converged };
+        assert!(
+            (estimate(false).miss(1e-3) - 1.5).abs() < 1e-12
+                && (estimate(false).miss(1e-2) - 0.15).abs() < 1e-12
+        );
+        // who asked for another measure and got it has missed nothing
+        assert_eq!(estimate(true).miss(1e-3), 1.0);
     }
 
     #[test]

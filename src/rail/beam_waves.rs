@@ -47,7 +47,7 @@ impl BeamWaves {
 }
 
 /// √X with Im < 0, or of the sign of ω where it is real: e^{i(ωt − γ|x|)} decays or leaves.
-fn leaving(square: Complex64, omega: f64) -> Complex64 {
+pub(super) fn leaving(square: Complex64, omega: f64) -> Complex64 {
     let root = square.sqrt();
     if root.im == 0.0 {
         return Complex64::new(root.re.abs() * if sign(omega) < 0.0 { -1.0 } else { 1.0 }, 0.0);

@@ -200,7 +200,7 @@ impl TrackOnFoundation<'_> {
             let mut values = [Complex64::ONE; NODES];
             for (x, value) in nodes.iter().zip(&mut values) {
                 let k = self.felt(drive, axis.beta(*x), accuracy)?;
-                missed = missed.max(if k.converged { 0.0 } else { k.relative_error / HARMONIC_ACCURACY });
+                missed = missed.max(k.miss(HARMONIC_ACCURACY));
                 count += k.count;
                 *value = reciprocal(k.value);
             }
@@ -303,7 +303,7 @@ impl Asker<'_> {
             self.count.set(self.count.get() + k.count);
             let wanted = wanted(k.value);
             if wanted >= 0.1 * relative || !k.converged {
-                self.missed = self.missed.max(if k.converged { 0.0 } else { k.relative_error / relative });
+                self.missed = self.missed.max(k.miss(relative));
                 self.known.insert(x, wanted);
                 return Ok(k.value);
             }

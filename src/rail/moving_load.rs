@@ -98,14 +98,12 @@ impl TrackOnFoundation<'_> {
         if !estimate.converged && (error.is_nan() || error > 1e-3) {
             return Err(InteractionError::Diverges { speed, error });
         }
-        // a settled integral met its own goal, to rounding
-        let own = if estimate.converged { (error / ACCURACY).min(1.0) } else { error / ACCURACY };
         let rule = integral.into_rule();
         Ok(MovingLoad {
             speed,
             rail: Waves::new(&rule, 1.0 / PI, |_, rail| rail),
             base: Waves::new(&rule, 1.0 / PI, |beta, _| spectrum.at(beta).base),
-            worst: spectrum.worst().max(own),
+            worst: spectrum.worst().max(estimate.miss(ACCURACY)),
             count: spectrum.line.count,
         })
     }

@@ -1,6 +1,6 @@
 //! What several studies may be doubted for.
 
-use super::speed_text;
+use super::{speed_text, trimmed};
 use crate::concern::Concern;
 use crate::railway::{Ground, Railway};
 use crate::soil::{Base, Profile};
@@ -9,20 +9,32 @@ use crate::soil::{Base, Profile};
 /// light axles and rock, heavy ones and peat.
 const TRACKS_SINK: std::ops::RangeInclusive<f64> = 0.05e-3..=50e-3;
 
-/// One concern for all speeds [m/s] at which a quadrature missed its tolerance, and by what factor.
-pub(super) fn missed_accuracy(missed: &[(f64, f64)]) -> Option<Concern> {
-    let speeds: Vec<String> = missed.iter().map(|(v, _)| format!("{v:.1}")).collect();
-    let (_, factor) = missed.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let by = if factor.is_finite() {
-        format!("by a factor of {factor:.1}")
+/// "by up to a factor of 2.3": how far an accuracy was missed.
+pub(super) fn by_up_to(factor: f64) -> String {
+    if factor.is_finite() {
+        format!("by up to a factor of {factor:.1}")
     } else {
         "by an unknown factor".into()
-    };
+    }
+}
+
+/// One concern for all speeds or frequencies at which a quadrature `missed` its `accuracy`, and by what factor, of `asked` (how many, of
+/// what, in which unit).
+pub(super) fn missed_accuracy(
+    missed: &[(f64, f64)],
+    accuracy: &str,
+    (count, what, unit): (usize, &str, &str),
+) -> Option<Concern> {
+    let (worst, factor) = missed.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let places: Vec<String> = missed.iter().map(|(at, _)| trimmed(*at)).collect();
     Some(Concern::new(
         "quadrature",
         format!(
-            "the wavenumber integrals missed their accuracy (1e-5), {by} at most, at {} m/s",
-            speeds.join(", ")
+            "the wavenumber integrals missed their accuracy ({accuracy}) at {} of {count} {what}, {} (at {} {unit}): {} {unit}",
+            missed.len(),
+            by_up_to(factor),
+            trimmed(worst),
+            places.join(", ")
         ),
         "poles lie too close to the real axis, where the work was cut short (more damping helps), or the track spreads the load too \
          little, or a layer is very thin",
@@ -109,7 +121,7 @@ mod tests {
         let train = Train::new(vec![Axle { position: 0.0, load }]).unwrap();
         let railway = Railway::new(Support::Springs(springs), beam, Some(train)).unwrap();
         let curve = CriticalSpeed { speeds: vec![10.0, 20.0] }.run(&railway, &Silent).unwrap();
-        let shape = TrackResponse { speeds: vec![10.0], x: None, spacing: 0.5, records: vec![] };
+        let shape = TrackResponse { speeds: vec![10.0], spacing: Some(0.5), ..TrackResponse::default() };
         let shape = shape.run(&railway, &Silent).unwrap();
         let all = curve.concerns.iter().chain(&shape.concerns).map(|c| c.code);
         all.filter(|code| *code == "static-deflection").collect()
@@ -133,5 +145,16 @@ mod tests {
         assert_eq!((said(0.06e-3), said(49e-3)), (String::new(), String::new()));
         // not a number is no deflection of a track
         assert!(!said(f64::NAN).is_empty());
+    }
+
+    #[test]
+    fn the_largest_miss_is_quoted() {
+        let missed = [(10.0, 1.4), (12.0, 2.34), (14.25, 1.1)];
+        let told = missed_accuracy(&missed, "1e-4", (40, "frequencies", "Hz")).unwrap().message;
+        let wanted = "missed their accuracy (1e-4) at 3 of 40 frequencies, by up to a factor of 2.3 (at 12 Hz): 10, 12, 14.25 Hz";
+        assert!(told.ends_with(wanted), "{told}");
+        let told = missed_accuracy(&[(68.5, f64::INFINITY)], "1e-5", (1, "speeds", "m/s")).unwrap().message;
+        assert!(told.ends_with("at 1 of 1 speeds, by an unknown factor (at 68.5 m/s): 68.5 m/s"), "{told}");
+        assert!(missed_accuracy(&[], "1e-5", (4, "speeds", "m/s")).is_none());
     }
 }

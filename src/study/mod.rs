@@ -4,31 +4,36 @@
 pub mod comparison;
 mod contour;
 mod critical_speed;
+mod decay_rate;
 mod dispersion;
 mod doubts;
 mod equivalent_stiffness;
 mod free_field;
+mod landmarks;
 mod receptance;
 mod surface_compliance;
 mod track_response;
+mod transition;
 
 pub use comparison::Comparison;
 pub use contour::{Contour, GroundMaps};
 pub use critical_speed::{CriticalSpeed, Hump, Peak, Plateau, SpeedCurve, SpeedCurves};
+pub use decay_rate::{DecayRate, DecayRates};
 pub use dispersion::{Crossing, Dispersion, DispersionCurves};
 pub use equivalent_stiffness::{EquivalentStiffness, StiffnessTable};
 pub use free_field::{Carrier, FreeField, Irregularity, PassVelocities, Roughness};
 pub use receptance::{Receptance, ReceptanceMap, Receptances, Surface};
 pub use surface_compliance::{Compliances, SurfaceComplianceTable};
-pub use track_response::{Record, TrackResponse, TrackShapes, same_speed, tag};
+pub use track_response::{OverSupports, Record, TrackResponse, TrackShapes, same_speed, tag};
+pub use transition::{Scattered, Transition};
 
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::field::GroundFieldError;
-use crate::figure::Figure;
+use crate::figure::{Figure, Series, Stroke};
 use crate::foundation::FoundationError;
 use crate::progress::Observer;
-use crate::rail::InteractionError;
+use crate::rail::{InteractionError, Method, RailError};
 use crate::railway::{Ground, Railway, RailwayError};
 use crate::soil::SoilError;
 use thiserror::Error;
@@ -52,6 +57,25 @@ impl Answer {
     /// An answer from its parts.
     pub fn new(key: &str, what: impl Into<String>, value: f64, unit: &'static str, shown: String) -> Self {
         Self { key: key.to_owned(), what: what.into(), value, unit, shown }
+    }
+}
+
+/// A curve from elsewhere, to be drawn beside the computed one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Beside {
+    /// Legend entry.
+    pub label: String,
+    /// Abscissae, SI.
+    pub x: Vec<f64>,
+    /// Values, SI.
+    pub values: Vec<f64>,
+}
+
+impl Beside {
+    /// As points of a picture, `scale` times its values.
+    fn series(&self, scale: f64) -> Series {
+        let y = self.values.iter().map(|value| scale * value).collect();
+        Series { name: self.label.clone(), x: self.x.clone(), y, stroke: Stroke::Points }
     }
 }
 
@@ -81,6 +105,10 @@ pub enum Study {
     Contour(Contour),
     /// How much do rail and ground move under a standing harmonic load?
     Receptance(Receptance),
+    /// How fast does vibration die away along the rail?
+    DecayRate(DecayRate),
+    /// What does a change of track do?
+    Transition(Transition),
     /// How much does a passing train shake the ground beside the track?
     FreeField(Box<FreeField>),
     /// k_eq(β, ω)
@@ -98,6 +126,8 @@ impl Study {
             Self::TrackResponse(_) => "track_response",
             Self::Contour(_) => "contour",
             Self::Receptance(_) => "receptance",
+            Self::DecayRate(_) => "decay_rate",
+            Self::Transition(_) => "transition",
             Self::FreeField(_) => "free_field",
             Self::EquivalentStiffness(_) => "equivalent_stiffness",
             Self::SurfaceCompliance(_) => "surface_compliance",
@@ -115,9 +145,29 @@ impl Study {
             Self::TrackResponse(study) => study.run(railway, observer),
             Self::Contour(study) => study.run(railway, observer),
             Self::Receptance(study) => study.run(railway, observer),
+            Self::DecayRate(study) => study.run(railway, observer),
+            Self::Transition(study) => study.run(railway, observer),
             Self::FreeField(study) => study.run(railway, observer),
             Self::EquivalentStiffness(study) => study.run(railway, observer),
             Self::SurfaceCompliance(study) => study.run(railway.ground()?, observer),
+        }
+    }
+
+    /// The same question asked another way, and how both are asked; None where it is asked once.
+    pub fn witness(&self, railway: &Railway) -> Option<(Self, [&'static str; 2])> {
+        let asked = |method, verify: Option<Method>| {
+            let first = railway.method(method).ok()?;
+            Some([first.name(), verify?.name()])
+        };
+        match self {
+            Self::Receptance(study) => {
+                let names = asked(study.method, study.verify)?;
+                // the ground beside the track is asked in one way only
+                let second =
+                    Receptance { method: study.verify, receivers: Vec::new(), map: None, ..study.clone() };
+                Some((Self::Receptance(second), names))
+            }
+            _ => None,
         }
     }
 
@@ -138,8 +188,14 @@ impl Study {
     fn lacks(&self, railway: &Railway) -> Vec<RailwayError> {
         let (ground, track, train) = (railway.ground(), railway.track().err(), railway.train().err());
         let [first, second] = match self {
-            Self::CriticalSpeed(_) | Self::TrackResponse(_) => [track, train],
-            Self::Receptance(_) => [track, None],
+            Self::CriticalSpeed(_) => [track, train],
+            Self::TrackResponse(_) if railway.on_supports() => [railway.foundation().err(), train],
+            Self::TrackResponse(_) => [track, train],
+            Self::Transition(_) => [(!railway.has_sections()).then_some(RailwayError::OneSection), None],
+            Self::Receptance(study) => [study.lacks(railway), None],
+            Self::DecayRate(study) => {
+                [railway.method(study.rail).and_then(|m| railway.receptance(m).map(drop)).err(), None]
+            }
             Self::Contour(_) => [ground.and_then(Ground::contact).err(), train],
             Self::FreeField(_) => [ground.err().or(track), train],
             Self::EquivalentStiffness(_) => [railway.foundation().err(), None],
@@ -162,6 +218,7 @@ impl Study {
                 study.check(railway)?;
                 vec![f64::INFINITY]
             }
+            Self::DecayRate(_) | Self::Transition(_) => vec![f64::INFINITY],
             Self::FreeField(study) => {
                 study.check(railway)?;
                 vec![f64::INFINITY]
@@ -182,6 +239,9 @@ pub enum StudyError {
     /// The moving response failed.
     #[error(transparent)]
     Interaction(#[from] InteractionError),
+    /// The rail failed.
+    #[error(transparent)]
+    Rail(#[from] RailError),
     /// The foundation failed.
     #[error(transparent)]
     Foundation(#[from] FoundationError),

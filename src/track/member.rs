@@ -13,17 +13,17 @@ use serde::Deserialize;
 #[serde(try_from = "Beam")]
 pub struct Member {
     /// EI [N m²]
-    bending_stiffness: f64,
+    pub(super) bending_stiffness: f64,
     /// 1/κGA [1/N]; 0 for Euler–Bernoulli beams.
-    shear_compliance: f64,
+    pub(super) shear_compliance: f64,
     /// ρI [kg m]
-    rotary_inertia: f64,
+    pub(super) rotary_inertia: f64,
     /// N(ω) [N]
-    tension: Option<Element>,
-    mass: f64,
+    pub(super) tension: Option<Element>,
+    pub(super) mass: f64,
     /// η of EI and κGA.
-    loss_factor: f64,
-    rayleigh: Rayleigh,
+    pub(super) loss_factor: f64,
+    pub(super) rayleigh: Rayleigh,
 }
 
 /// A beam along the track, as a case file says it.
@@ -158,14 +158,34 @@ impl Member {
         self.bending_stiffness == 0.0 && self.tension.is_none()
     }
 
+    /// Whether bending it costs energy.
+    pub fn loses(&self) -> bool {
+        self.loss_factor > 0.0
+    }
+
     /// Whether neighbours feel one another through it: β² matters.
     pub fn joins(&self) -> bool {
         !self.is_mass()
     }
 
+    /// 1 + iη sgn ω + iωα₂
+    pub(super) fn loss(&self, omega: f64) -> Complex64 {
+        Complex64::new(1.0, self.loss_factor * sign(omega) + omega * self.rayleigh.of_stiffness)
+    }
+
+    /// Resists bending.
+    pub fn bends(&self) -> bool {
+        self.bending_stiffness > 0.0
+    }
+
+    /// Shears where it bends: a Timoshenko beam.
+    pub fn shears(&self) -> bool {
+        self.bends() && self.shear_compliance > 0.0
+    }
+
     /// EI(1 + iη sgn ω + iωα₂) [N m²] and 1/κGA(1 + iη sgn ω + iωα₂) [1/N].
     fn moduli(&self, omega: f64) -> (Complex64, Complex64) {
-        let loss = Complex64::new(1.0, self.loss_factor * sign(omega) + omega * self.rayleigh.of_stiffness);
+        let loss = self.loss(omega);
         (self.bending_stiffness * loss, self.shear_compliance / loss)
     }
 

@@ -10,6 +10,7 @@ mod section;
 pub mod slab;
 mod stack;
 mod supports;
+mod tower;
 
 pub use ballast::Ballast;
 pub use ballasted::{Ballasted, Sleeper};
@@ -21,6 +22,7 @@ pub use section::{Rail, Rails, Section as RailSection};
 pub use slab::Slab;
 pub use stack::{Displacements, Stack};
 pub use supports::{Layout, Section, Supports};
+pub use tower::{Ratio, Tower};
 
 use crate::quantity::OutOfRange;
 use schemars::JsonSchema;

@@ -5,12 +5,15 @@ mod common;
 
 mod beam;
 mod column;
+mod continuous;
 mod dispersion;
 mod half_space;
 mod moving_point;
 mod periodic;
 mod periodic_bands;
 mod periodic_moving;
+mod quadrature;
 mod rayleigh;
+mod springs;
 mod strip;
 mod transition;

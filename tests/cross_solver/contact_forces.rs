@@ -51,7 +51,7 @@ fn interpolated_ground_is_the_ground() {
         let omega = TAU * f;
         let ground = Counted(soil(), AtomicUsize::new(0));
         let load = TrackOnFoundation::new(&stack, &ground, 0.0).harmonic(omega, SPEED, 45.0).unwrap();
-        assert!(load.converged);
+        assert!(load.worst <= 1.0);
         let count = ground.1.into_inner();
         let response = |beta: f64| {
             let at = omega - beta * SPEED;
@@ -94,14 +94,14 @@ fn worst_force(bodies: &Multibody) -> (f64, f64) {
     let contact = vec![CONTACT; bodies.wheelset_count()];
     let wheels = WheelRail { track: &track, bodies, contact: &contact, speed: SPEED };
     let table = ContactForces::new(&wheels, (TAU / SPEED, TAU * 100.0 / SPEED), &Silent).unwrap();
-    assert!(table.converged);
+    assert!(table.worst <= 1.0);
     // nothing is made of what lies beyond
     assert!([0.9, 110.0].iter().all(|f| table.at(TAU * f / SPEED)[0].is_nan()));
     // 72 steps share few places with halved steps
     let differences = (0..72).into_par_iter().map(|i| {
         let f = 100f64.powf((f64::from(i) + 0.37) / 72.0);
-        let (alpha, converged) = wheels.rail(TAU * f).unwrap();
-        assert!(converged);
+        let (alpha, miss) = wheels.rail(TAU * f).unwrap();
+        assert!(miss <= 1.0);
         let exact = wheels.forces(&alpha, TAU * f);
         let own = table.at(TAU * f / SPEED);
         let worst = own.iter().zip(&exact).zip(bodies.axles()).map(|((p, q), axle)| {

@@ -298,8 +298,8 @@ fn library_forces(stack: &Stack, driving: &[f64]) -> (Vec<Complex64>, Vec<Comple
     driving
         .par_iter()
         .map(|&w| {
-            let (alpha, converged) = wheels.rail(w).unwrap();
-            assert!(converged);
+            let (alpha, worst) = wheels.rail(w).unwrap();
+            assert!(worst <= 1.0);
             (wheels.forces(&alpha, w)[0], alpha[(0, 0)])
         })
         .unzip()
@@ -324,7 +324,7 @@ fn transfers(stack: &Stack, driving: &[f64], cells: &[(f64, f64)]) -> Vec<Vec<[C
             let omega = TAU * f;
             let ground = DirectStiffness.prepare(&profile, omega, &[]).unwrap();
             let section = Section::new(stack, ground.as_ref(), STRIP, omega, &[RECEIVER]);
-            assert!(section.converged());
+            assert!(section.worst <= 1.0);
             driving.iter().map(|w| [w, &-w].map(|w| section.transfer(0, (w - omega) / SPEED))).collect()
         })
         .collect()
@@ -678,7 +678,7 @@ fn between_sections() {
     };
     let sections = Sections::new((1.0, 550.0), &receivers, 1.0 / SLOW, section, &Silent).unwrap();
     println!("{} sections", sections.count());
-    assert!(sections.converged);
+    assert!(sections.worst <= 1.0);
     let mut worst = 0.0f64;
     for i in 0..40 {
         let omega = 1.0 * 550f64.powf((f64::from(i) + 0.31) / 40.0);
@@ -730,12 +730,12 @@ fn standing_wheels_are_reciprocal() {
     for f in [5.0, 20.0, 60.0] {
         for speed in [0.0, 1e-3] {
             let wheels = WheelRail { track: &track, bodies: &bodies, contact: &[CONTACT; 2], speed };
-            let (alpha, converged) = wheels.rail(TAU * f).unwrap();
+            let (alpha, worst) = wheels.rail(TAU * f).unwrap();
             let difference = (alpha[(0, 1)] - alpha[(1, 0)]).norm() / alpha[(0, 0)].norm();
             println!("{f} Hz, {speed} m/s: {difference:e}");
             // standing, α is even by construction; measured 1.8e-16. Almost standing, both sides are integrated by themselves, each
             // to 1e-4; measured 1.8e-5, and v/c is 1e-5
-            assert!(converged && difference < if speed == 0.0 { 1e-9 } else { 1e-4 }, "{difference:e}");
+            assert!(worst <= 1.0 && difference < if speed == 0.0 { 1e-9 } else { 1e-4 }, "{difference:e}");
         }
     }
 }
@@ -759,30 +759,66 @@ fn thin_layers_and_direct_stiffness_agree() {
     }
 }
 
-/// ω/v crosses the wavenumber thin layers are cut for, 30 rad/m, inside the bands; beyond it nothing arrives.
+/// |h| at β = ω/v by plain sums over β_y, (Δ/π) Σ G(√(β² + β_y²)) sinc(β_y b) {1, cos β_y y}, the first with half its weight. They
+/// repeat the ground every 2π/Δ = 126 m.
+fn of_one_load(stack: &Stack, profile: &Profile, f: f64, speed: f64) -> f64 {
+    let (step, top) = (0.05, 60.0);
+    let (omega, beta) = (TAU * f, TAU * f / speed);
+    let ground = DirectStiffness.prepare(profile, omega, &[]).unwrap();
+    let (mut strip, mut receiver) = (Complex64::ZERO, Complex64::ZERO);
+    for n in 0..(top / step) as usize {
+        let beta_y = step * n as f64;
+        let x = beta_y * STRIP.half_width;
+        let weight = if n == 0 { 0.5 } else { x.sin() / x * taper(beta_y, 0.5 * top, top) };
+        let g = ground.u_zz(beta.hypot(beta_y)) * (weight * step / PI);
+        strip += g;
+        receiver += g * (beta_y * RECEIVER).cos();
+    }
+    (stack.respond(beta, omega, 1.0 / strip).base / strip * receiver).norm()
+}
+
+/// ω/v crosses the wavenumber thin layers are cut for, 30 rad/m, inside the bands; beyond it nothing arrives. The witness shares G and
+/// the stack with the study, no integral and no interpolation.
 #[test]
 fn slow_axles_leave_nothing_in_high_bands() {
-    let thin = Solver::ThinLayer(ThinLayer::default());
+    let (stack, profile) = (tracks::ballasted(), named("paper_layered"));
     for (highest, speed) in [(80.0, 60.0 / 3.6), (100.0, 77.0 / 3.6), (160.0, 123.0 / 3.6)] {
         let bands = Band::range(1.0, highest).unwrap();
         let mut study = study(&bands, (1.0, 10.0));
-        (study.speed, study.receivers, study.roughness) = (speed, vec![8.0], None);
-        let [exact, default] = [Solver::DirectStiffness, thin].map(|solver| {
-            let outcome = study.run(&model(solver), &Silent).unwrap();
-            assert!(
-                outcome.concerns.iter().all(|c| c.code != "quasi-static-bands"),
-                "{:?}",
-                outcome.concerns
-            );
-            let row = outcome.group.get("v_rms_quasi_static").unwrap().values.clone();
-            row.iter().map(|v| v * v).sum::<f64>().sqrt()
-        });
-        println!("{speed} m/s: {exact:e} {default:e}");
-        // both follow the exact ground along β = ω/v; measured the same
-        assert!((default / exact - 1.0).abs() < 1e-3, "{speed}: {default:e} {exact:e}");
+        (study.speed, study.receivers, study.roughness) = (speed, vec![RECEIVER], None);
+        let outcome = study.run(&model(Solver::ThinLayer(ThinLayer::default())), &Silent).unwrap();
+        assert!(outcome.concerns.iter().all(|c| c.code != "quasi-static-bands"), "{:?}", outcome.concerns);
+        let told: Vec<f64> =
+            outcome.group.get("v_rms_quasi_static").unwrap().values.iter().copied().collect();
+        // ∫ 2ω² |h|² P²/v² df over one second
+        let own: Vec<f64> = bands
+            .par_iter()
+            .map(|band| {
+                let width = (band.upper() - band.lower()) / 100.0;
+                let at = |i: i32| band.lower() + width * (f64::from(i) + 0.5);
+                let velocity = |f: f64| TAU * f * of_one_load(&stack, &profile, f, speed) * 150e3 / speed;
+                (0..100).map(|i| 2.0 * velocity(at(i)).powi(2) * width).sum::<f64>().sqrt()
+            })
+            .collect();
+        let largest = own.iter().copied().fold(0.0, f64::max);
+        let matter = |b: &usize| own[*b] > 1e-3 * largest;
+        let worst = (0..bands.len()).filter(matter).map(|b| (told[b] / own[b] - 1.0).abs());
+        let (count, worst) = ((0..bands.len()).filter(matter).count(), worst.fold(0.0, f64::max));
+        let rest = (0..bands.len()).filter(|b| !matter(b)).map(|b| told[b]).fold(0.0, f64::max) / largest;
+        let all = |v: &[f64]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let whole = all(&told) / all(&own) - 1.0;
+        println!(
+            "{speed} m/s: {count} bands off by {worst:e}, together {whole:e}; others {rest:e} of the largest"
+        );
+        // measured 1.3e-3, 1.2e-3, 1.1e-3, in the last of 6, 7 and 9 bands: the study samples a band over which |h|² falls by e⁴ sixteen
+        // times; together 1.1e-4, 7.0e-5, 3.0e-5
+        assert!(worst < 2e-3 && whole.abs() < 3e-4, "{speed}: {worst:e} {whole:e}");
+        // measured 4.7e-4, 4.2e-4, 4.1e-4 in the next one; nowhere more than the witness, whose cut at 60 rad/m leaves it 1e-12 m/s
+        assert!(rest < 1e-3, "{speed}: {rest:e}");
+        assert!(told.iter().zip(&own).all(|(told, own)| *told < 1.001 * own), "{speed}: {told:?} {own:?}");
         if highest == 80.0 {
             // 2.404e-6 m/s of 80 kN over 0.96 s, known in three other ways; measured 2.2e-3
-            let told = exact * (80.0 / 150.0) / (16.0 / speed).sqrt();
+            let told = all(&told) * (80.0 / 150.0) / (16.0 / speed).sqrt();
             assert!((told / 2.404e-6 - 1.0).abs() < 5e-3, "{told:e}");
         }
     }

@@ -36,7 +36,7 @@ fn history_is_the_slice_of_the_contour() {
         let contour = field.compute(&window, &field.grid(&window, 400.0), &[Quantity::Vertical]).unwrap();
         let line = contour.values[0].row(contour.y.len() - 1).to_vec();
         let passage = track.passage((&profile, Solver::DirectStiffness), strip(), speed, 8.0, 60.0).unwrap();
-        assert!(passage.converged);
+        assert!(passage.worst <= 1.0);
         let largest = line.iter().fold(0.0f64, |m, u| m.max(u.abs()));
         let worst = contour
             .x

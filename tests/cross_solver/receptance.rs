@@ -47,8 +47,8 @@ fn standing_load_by_plain_sums() {
             let track = TrackOnFoundation::new(&stack, &soil, 0.0);
             let ground = solver.prepare_many(&profile, omega, 100.0, 1e-5).unwrap();
             let mut answer = vec![track.harmonic(omega, 0.0, 0.0).unwrap().rail(0.0)];
-            let (ground, converged) = track.ground(omega, ground.as_ref(), strip, &receivers).unwrap();
-            assert!(converged);
+            let (ground, miss) = track.ground(omega, ground.as_ref(), strip, &receivers).unwrap();
+            assert!(miss <= 1.0);
             answer.extend(ground);
             answer
         });

@@ -56,9 +56,9 @@ fn line_abreast_of_the_load_is_the_receptance() {
         // under the track, beside it, far from it
         let rows = [50, 52, 53, 60, 70, 100];
         let receivers = rows.map(|row| y[row]);
-        let (wanted, converged) = track.ground(omega, ground.as_ref(), strip(name), &receivers).unwrap();
+        let (wanted, miss) = track.ground(omega, ground.as_ref(), strip(name), &receivers).unwrap();
         let mut worst = 0.0f64;
-        assert!(converged);
+        assert!(miss <= 1.0);
         for (row, wanted) in rows.iter().zip(wanted) {
             worst = worst.max((values[(*row, 40)] - wanted).norm() / largest(&values));
         }

@@ -126,7 +126,7 @@ impl GroundMaps {
                 ));
             }
         }
-        concerns.extend(missed_accuracy(&self.missed));
+        concerns.extend(missed_accuracy(&self.missed, "1e-5", (self.speeds.len(), "speeds", "m/s")));
         concerns.extend(sinks_as_no_track_does(railway));
         concerns.extend(self.speeds.iter().filter_map(|v| outruns_waves(railway, *v)));
         concerns

@@ -214,7 +214,7 @@ impl SpeedCurves {
                 "the ground is so lightly damped that its wake outlasts them: raise the loss factors, or read the values as lower bounds",
             ));
         }
-        concerns.extend(missed_accuracy(&self.missed));
+        concerns.extend(missed_accuracy(&self.missed, "1e-5", (self.axle.speeds.len(), "speeds", "m/s")));
         concerns
     }
 }

@@ -4,6 +4,8 @@ use super::StiffnessTable;
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
+use crate::foundation::ACCURACY;
+use crate::study::doubts::by_up_to;
 use crate::study::{Outcome, trimmed};
 use std::f64::consts::TAU;
 
@@ -15,7 +17,7 @@ impl StiffnessTable {
             group: self.group(),
             figures: vec![(self.figure(), caption.into())],
             answers: Vec::new(),
-            concerns: self.concerns(),
+            concerns: self.concern().into_iter().collect(),
         }
     }
 
@@ -51,21 +53,54 @@ impl StiffnessTable {
         })
     }
 
-    fn concerns(&self) -> Vec<Concern> {
-        let missed = self.k_eq.indexed_iter().filter(|(_, k)| !k.converged);
-        missed
-            .map(|((i, j), k)| {
-                Concern::new(
-                    "quadrature",
-                    format!(
-                        "k_eq at β = {} rad/m, {:.3} Hz has a relative error of {:.1e}",
-                        self.beta[j],
-                        self.omega[i] / TAU,
-                        k.relative_error
-                    ),
-                    "a pole lies too close to the real axis (more damping helps), or a layer is very thin",
-                )
-            })
-            .collect()
+    /// One concern for all values that missed their accuracy.
+    fn concern(&self) -> Option<Concern> {
+        let misses = self.k_eq.indexed_iter().map(|(at, k)| (at, k.relative_error, k.miss(ACCURACY)));
+        let missed: Vec<_> = misses.filter(|(_, _, factor)| *factor > 1.0).collect();
+        let ((i, j), error, factor) = missed.iter().max_by(|a, b| a.2.total_cmp(&b.2))?;
+        Some(Concern::new(
+            "quadrature",
+            format!(
+                "k_eq missed its accuracy ({ACCURACY:e}) at {} of {} points, {} (at β = {} rad/m, {} Hz, where its relative error is \
+                 {error:.1e})",
+                missed.len(),
+                self.k_eq.len(),
+                by_up_to(*factor),
+                self.beta[*j],
+                trimmed(self.omega[*i] / TAU),
+            ),
+            "a pole lies too close to the real axis (more damping helps), or a layer is very thin; every error is in relative_error of the results",
+        ))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::foundation::Stiffness;
+    use ndarray::Array2;
+
+    #[test]
+    fn one_concern_quotes_the_worst_of_all() {
+        let table = |errors: [f64; 4]| StiffnessTable {
+            beta: vec![0.2, 1.0],
+            omega: vec![TAU * 5.0, TAU * 12.0],
+            k_eq: Array2::from_shape_fn((2, 2), |(i, j)| {
+                let relative_error = errors[2 * i + j];
+                Stiffness {
+                    value: 1e8.into(),
+                    relative_error,
+                    converged: relative_error <= ACCURACY,
+                    count: 15,
+                }
+            }),
+        };
+        assert!(table([1e-9, 1e-12, 0.0, 1e-8]).concern().is_none());
+        let told = table([1e-9, 1.2e-8, 2.3e-8, 0.0]).concern().unwrap().message;
+        let wanted =
+            "missed its accuracy (1e-8) at 2 of 4 points, by up to a factor of 2.3 (at β = 0.2 rad/m, 12 Hz,";
+        assert!(told.contains(wanted), "{told}");
+        let told = table([f64::NAN, 0.0, 0.0, 0.0]).concern().unwrap().message;
+        assert!(told.contains("at 1 of 4 points, by an unknown factor (at β = 0.2 rad/m, 5 Hz"), "{told}");
     }
 }

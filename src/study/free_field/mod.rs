@@ -20,6 +20,7 @@ mod shown;
 pub use roughness::{Carrier, Irregularity, Roughness};
 
 use super::contour::check_memory;
+use super::doubts::by_up_to;
 use super::{Outcome, StudyError};
 use crate::assessment::Band;
 use crate::concern::Concern;
@@ -54,23 +55,26 @@ pub struct FreeField {
     pub sections: Option<Solver>,
 }
 
-/// Integrals that missed their accuracy, and contact forces that could not be followed.
-fn missed(converged: bool, followed: bool) -> Vec<Concern> {
-    let integrals = || {
+/// Integrals that missed their accuracy, and contact forces that could not be followed, by what factor (at most 1: reached).
+fn missed(integrals: f64, forces: f64) -> Vec<Concern> {
+    let integrals = (integrals > 1.0).then(|| {
         Concern::new(
             "quadrature",
-            "some wavenumber integrals of the free field missed their accuracy (1e-3)",
+            format!("wavenumber integrals of the free field missed their accuracy (1e-3) {}", by_up_to(integrals)),
             "poles lie too close to the real axis (more damping helps), or the track spreads the load too little",
         )
-    };
-    let forces = || {
+    });
+    let forces = (forces > 1.0).then(|| {
         Concern::new(
             "contact-forces",
-            "contact forces between the frequencies asked are not known to 1 %, or a receptance of the rail missed 1e-4",
+            format!(
+                "contact forces between the frequencies asked missed 1 %, or a receptance of the rail 1e-4, {}",
+                by_up_to(forces)
+            ),
             "a resonance of wheels on the track is very sharp: damping of pads, ballast or ground helps",
         )
-    };
-    (!converged).then(integrals).into_iter().chain((!followed).then(forces)).collect()
+    });
+    integrals.into_iter().chain(forces).collect()
 }
 
 impl FreeField {
@@ -106,15 +110,15 @@ impl FreeField {
             Some(sections) => ConstantLoad::Fast(sections),
             None => ConstantLoad::Slow(SlowLoad::new(&pass, stack, of_ground, strip)?),
         };
-        let met = sections.as_ref().is_none_or(|sections| sections.converged);
-        let converged = quasi_static.converged && met && load.converged();
+        let across_worst = sections.as_ref().map_or(0.0, |sections| sections.worst);
+        let worst = quasi_static.worst.max(load.worst()).max(across_worst);
         let smooth = Shaken {
             energies: PassEnergy::quasi_static(&pass, &load),
             histories: vec![quasi_static.velocity.clone()],
             driven: Vec::new(),
-            followed: true,
+            forces_worst: 0.0,
         };
-        let Shaken { energies, histories, driven, followed } = match (&self.roughness, &sections) {
+        let Shaken { energies, histories, driven, forces_worst } = match (&self.roughness, &sections) {
             (Some(roughness), Some(sections)) => {
                 let rough = Rough { pass, roughness, track: &track, sections, profile: &ground.profile };
                 rough.shaken(smooth, times, observer)?
@@ -134,8 +138,8 @@ impl FreeField {
             metrics,
             driven,
             sections: across.1.name(),
-            converged,
-            followed,
+            worst,
+            forces_worst,
         })
     }
 
@@ -148,7 +152,7 @@ impl FreeField {
         let mut concerns = self.concerns(railway);
         concerns.extend(answer.concerns());
         concerns.extend(answer.contradictions()?);
-        concerns.extend(missed(answer.converged, answer.followed));
+        concerns.extend(missed(answer.worst, answer.forces_worst));
         let velocities = answer.energies.velocities(answer.passage_time)?;
         Ok(Outcome {
             group: answer.group(&velocities),
@@ -203,8 +207,8 @@ struct Shaken {
     /// Total velocity [m/s] of each profile, receivers × times.
     histories: Vec<Array2<f64>>,
     driven: Vec<Driven>,
-    /// False where the contact forces are not known well enough.
-    followed: bool,
+    /// Error of the contact forces over what was allowed, where it is largest.
+    forces_worst: f64,
 }
 
 /// Force of the leading wheelset at one driving frequency.
@@ -234,10 +238,10 @@ pub struct PassVelocities<'a> {
     driven: Vec<Driven>,
     /// Name of the solver that answered across the track.
     sections: &'static str,
-    /// False where an integral missed its accuracy.
-    pub converged: bool,
-    /// False where the contact forces are not known well enough.
-    pub followed: bool,
+    /// Error of an integral over what was allowed, where it is largest: at most 1 where the accuracy was reached.
+    pub worst: f64,
+    /// The same of the contact forces.
+    pub forces_worst: f64,
 }
 
 /// Wheels on a rough rail.
@@ -291,6 +295,6 @@ impl Rough<'_> {
                 profiles[0].components().iter().map(force).collect()
             }
         };
-        Ok(Shaken { energies, histories, driven, followed: forces.converged })
+        Ok(Shaken { energies, histories, driven, forces_worst: forces.worst })
     }
 }

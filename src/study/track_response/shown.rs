@@ -91,7 +91,7 @@ impl TrackShapes {
     }
 
     fn concerns(&self, railway: &Railway) -> Vec<Concern> {
-        let missed = missed_accuracy(&self.missed);
+        let missed = missed_accuracy(&self.missed, "1e-5", (self.speeds.len(), "speeds", "m/s"));
         let fast = self.speeds.iter().filter_map(|v| outruns_waves(railway, *v));
         missed.into_iter().chain(sinks_as_no_track_does(railway)).chain(fast).collect()
     }
