@@ -99,7 +99,7 @@ impl OnSprings<'_> {
             }
             (end, step) = (to, 1.5 * step);
             // beyond β at least β⁻³ of it is left; where two powers cancel, half as far tells more
-            let mut beyond = |beta: f64| (left(beta) + left(-beta)).norm() * beta / 3.0;
+            let beyond = |beta: f64| (left(beta) + left(-beta)).norm() * beta / 3.0;
             rest = if end < 4.0 * scale { f64::INFINITY } else { beyond(end).max(beyond(0.5 * end) / 8.0) };
         }
         let tolerance = Tolerance { relative: ACCURACY, absolute: 0.0, max_count: MOST };
