@@ -165,6 +165,16 @@ impl Railway {
         }
     }
 
+    /// Whether the rail stands on equal supports.
+    pub fn on_supports(&self) -> bool {
+        matches!(self.layout, Layout::Discrete(_))
+    }
+
+    /// Whether there are sections one after another.
+    pub fn has_sections(&self) -> bool {
+        matches!(self.layout, Layout::Varying(_))
+    }
+
     /// Whether loads stand straight on the ground.
     pub fn is_bare(&self) -> bool {
         self.stack().is_ok_and(Stack::is_empty)
@@ -333,6 +343,9 @@ pub enum RailwayError {
          receptance, decay_rate, track_response and transition know supports"
     )]
     Apart,
+    /// Sections are needed.
+    #[error("it needs a track that changes: give two or more [[track.section]], and support.spacing")]
+    OneSection,
     /// Ground under a point load sinks without end.
     #[error(
         "the ground under a point load has no finite deflection: give track.load.kind = \"patch\" with half_length and half_width, \

@@ -43,6 +43,8 @@ pub struct CaseInput {
     pub receptance: Option<ReceptanceInput>,
     /// How fast vibration dies away along the rail.
     pub decay_rate: Option<DecayRateInput>,
+    /// What a change of track does to waves along the rail.
+    pub transition: Option<TransitionInput>,
     /// Roughness of the rail.
     pub irregularity: Option<IrregularityInput>,
     /// Vibration of the ground beside the track during a pass.
@@ -255,8 +257,18 @@ pub struct TrackResponseInput {
     pub speeds: Range<Speed>,
     /// x′ [m]; by default 40 m behind the train to 20 m ahead of it.
     pub x: Option<SpanInput>,
-    /// Spacing [m], 0.1 by default.
+    /// Spacing [m], 0.1 by default, 0.02 over supports.
     pub spacing: Option<f64>,
+    /// Over supports: where the rail is watched [m] from a support; over it and in the middle of the bay by default.
+    #[serde(default)]
+    pub at: Vec<f64>,
+    /// Over supports: frequency [Hz] with which all axle loads oscillate; constant loads by default.
+    pub harmonic: Option<f64>,
+    /// Over supports: f [Hz], above zero, ascending, of spectra of the rail under the leading axle.
+    pub frequencies: Option<Range<f64>>,
+    /// Spectra [m s] over frequency to draw beside the computed ones.
+    #[serde(default)]
+    pub spectra: Vec<BesideInput>,
     /// Records to draw beside the computed shapes.
     #[serde(default)]
     pub measured: Vec<MeasuredInput>,
@@ -325,6 +337,22 @@ pub struct ReceptanceInput {
     /// Moduli over frequency to draw beside the computed ones.
     #[serde(default)]
     pub measured: Vec<BesideInput>,
+}
+
+/// `[transition]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TransitionInput {
+    /// f [Hz], above zero, ascending.
+    pub frequencies: Range<f64>,
+    /// f [Hz] at which the receptance is drawn along the rail; none by default.
+    pub along: Option<Vec<f64>>,
+    /// Where the force of these stands [m] from the first change of section; half a metre before it by default.
+    pub from: Option<f64>,
+    /// Where they are drawn [m] from the first change; 15 m before it to 15 m behind by default.
+    pub x: Option<SpanInput>,
+    /// Spacing [m], 0.05 by default.
+    pub spacing: Option<f64>,
 }
 
 /// `[decay_rate]`

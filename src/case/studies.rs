@@ -6,7 +6,7 @@ use super::irregularity;
 use super::schema::{
     BesideInput, CaseInput, ContourInput, CriticalSpeedInput, DecayRateInput, DispersionInput,
     EquivalentStiffnessInput, FreeFieldInput, MeasuredInput, ReceptanceInput, SoilInput, SpanInput,
-    SurfaceComplianceInput, TrackResponseInput,
+    SurfaceComplianceInput, TrackResponseInput, TransitionInput,
 };
 use super::train::Wheels;
 use super::values::{Bands, Named, Range, Speed};
@@ -19,7 +19,8 @@ use crate::rail::Method;
 use crate::soil::{Solver, ThinLayer};
 use crate::study::{
     Beside, Contour, CriticalSpeed, DecayRate, Dispersion, EquivalentStiffness, FreeField, Irregularity,
-    Receptance, ReceptanceMap, Record, Roughness, Study, SurfaceComplianceTable, TrackResponse, same_speed,
+    Receptance, ReceptanceMap, Record, Roughness, Study, SurfaceComplianceTable, TrackResponse, Transition,
+    same_speed,
 };
 use std::collections::BTreeSet;
 
@@ -151,10 +152,12 @@ fn track_response(
         .enumerate()
         .map(|(i, m)| record(m, &format!("track_response.measured[{i}]"), files))
         .collect::<Result<_, _>>()?;
-    let spacing = positive("spacing", input.spacing.unwrap_or(0.1), "m")
-        .map_err(|e| Finding::out_of_range("track_response", e))?;
+    let spacing = input.spacing.map(|spacing| positive("spacing", spacing, "m")).transpose();
+    let spacing = spacing.map_err(|e| Finding::out_of_range("track_response", e))?;
     let length = x.map_or(1000.0, |(from, to)| to - from);
-    if length / spacing >= MOST as f64 {
+    if let Some(spacing) = spacing
+        && length / spacing >= MOST as f64
+    {
         let found =
             format!("a spacing of {spacing} m makes {:.0} positions, more than {MOST}", length / spacing);
         return Err(Finding::new("track_response.spacing", found).help("use a larger spacing"));
@@ -169,7 +172,27 @@ fn track_response(
                 .help("add the speed to track_response.speeds"));
         }
     }
-    Ok(TrackResponse { speeds, x, spacing, records })
+    let frequencies = input.frequencies.as_ref().map(|frequencies| {
+        let path = "track_response.frequencies";
+        let frequencies = numbers(frequencies, path, "Hz", POSITIVE)?;
+        ascending(&frequencies, path)?;
+        Ok(frequencies)
+    });
+    if let Some(harmonic) = input.harmonic {
+        positive("harmonic", harmonic, "Hz").map_err(|e| Finding::out_of_range("track_response", e))?;
+    }
+    let spectra = beside(&input.spectra, "track_response.spectra", files)?;
+    let at = if input.at.is_empty() { Vec::new() } else { places(&input.at, "track_response.at")? };
+    Ok(TrackResponse {
+        speeds,
+        x,
+        spacing,
+        records,
+        at,
+        harmonic: input.harmonic,
+        frequencies: frequencies.transpose()?.unwrap_or_default(),
+        beside: spectra,
+    })
 }
 
 /// The part of the surface to map, of the study `path`.
@@ -240,14 +263,14 @@ fn receivers(values: &[f64], path: &str) -> Result<Vec<f64>, Finding> {
     }
 }
 
-/// Curves to draw beside those of the study `path`.
+/// Curves to draw beside the computed ones, of the list at `path`.
 fn beside(
     input: &[BesideInput],
     path: &str,
     files: &dyn Fn(&str) -> Result<String, String>,
 ) -> Result<Vec<Beside>, Finding> {
     let one = |(i, beside): (usize, &BesideInput)| {
-        let at = format!("{path}.measured[{i}].file");
+        let at = format!("{path}[{i}].file");
         let Columns { x, values, .. } = columns_of(&beside.file, &at, files, "frequency [Hz], value")?;
         Ok(Beside { label: beside.label.clone(), x, values })
     };
@@ -297,7 +320,7 @@ fn receptance(
         verify: input.verify,
         receivers,
         map: map.transpose()?,
-        beside: beside(&input.measured, "receptance", files)?,
+        beside: beside(&input.measured, "receptance.measured", files)?,
     })
 }
 
@@ -317,8 +340,31 @@ fn decay_rate(
         from: input.from,
         rail: input.rail,
         verify: input.verify,
-        beside: beside(&input.measured, "decay_rate", files)?,
+        beside: beside(&input.measured, "decay_rate.measured", files)?,
     })
+}
+
+fn transition(input: &TransitionInput) -> Result<Transition, Finding> {
+    let frequencies = numbers(&input.frequencies, "transition.frequencies", "Hz", POSITIVE)?;
+    ascending(&frequencies, "transition.frequencies")?;
+    let along = input.along.as_ref().map(|along| {
+        let along = numbers(&Range::List(along.clone()), "transition.along", "Hz", POSITIVE)?;
+        distinct(&along, "transition.along", "Hz")?;
+        Ok(along)
+    });
+    let x = input.x.map(|x| span(x, "transition.x")).transpose()?.unwrap_or((-15.0, 15.0));
+    let spacing = positive("spacing", input.spacing.unwrap_or(0.05), "m")
+        .map_err(|e| Finding::out_of_range("transition", e))?;
+    if (x.1 - x.0) / spacing >= MOST as f64 {
+        let message = format!(
+            "a spacing of {spacing} m makes {:.0} positions, more than {MOST}",
+            (x.1 - x.0) / spacing
+        );
+        return Err(Finding::new("transition.spacing", message).help("use a larger spacing"));
+    }
+    let from = input.from.unwrap_or(-0.5);
+    places(&[from], "transition.from")?;
+    Ok(Transition { frequencies, along: along.transpose()?.unwrap_or_default(), from, x, spacing })
 }
 
 /// Farthest receiver of a free field [m].
@@ -406,13 +452,14 @@ fn surface_compliance(input: &SurfaceComplianceInput) -> Result<SurfaceComplianc
 }
 
 /// Names of the tables that ask for something.
-const STUDIES: [&str; 9] = [
+const STUDIES: [&str; 10] = [
     "critical_speed",
     "dispersion",
     "track_response",
     "contour",
     "receptance",
     "decay_rate",
+    "transition",
     "free_field",
     "equivalent_stiffness",
     "surface_compliance",
@@ -438,13 +485,14 @@ pub fn studies(
         let smooth = free_field(study, input)?;
         Ok(Study::FreeField(Box::new(FreeField { roughness: on_rail.cloned(), ..smooth })))
     };
-    let asked: [Option<Result<Study, Finding>>; 9] = [
+    let asked: [Option<Result<Study, Finding>>; 10] = [
         input.critical_speed.as_ref().map(|s| critical_speed(s).map(Study::CriticalSpeed)),
         input.dispersion.as_ref().map(|s| dispersion(s).map(Study::Dispersion)),
         input.track_response.as_ref().map(|s| track_response(s, files).map(Study::TrackResponse)),
         input.contour.as_ref().map(|s| contour(s).map(Study::Contour)),
         input.receptance.as_ref().map(|s| receptance(s, files).map(Study::Receptance)),
         input.decay_rate.as_ref().map(|s| decay_rate(s, files).map(Study::DecayRate)),
+        input.transition.as_ref().map(|s| transition(s).map(Study::Transition)),
         input.free_field.as_ref().map(free),
         input.equivalent_stiffness.as_ref().map(|s| equivalent_stiffness(s).map(Study::EquivalentStiffness)),
         input.surface_compliance.as_ref().map(|s| surface_compliance(s).map(Study::SurfaceCompliance)),

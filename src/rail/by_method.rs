@@ -19,10 +19,9 @@ impl Method {
 
     /// The best for a force that moves along it.
     pub fn moving(layout: &Layout, on: &dyn Foundation) -> Self {
-        match (layout, on.grain()) {
-            (Layout::Continuous(_), Grain::Formula) => Self::Residues,
-            (Layout::Continuous(_), _) => Self::Adaptive,
-            (Layout::Discrete(_) | Layout::Varying(_), _) => Self::DiracComb,
+        match layout {
+            Layout::Continuous(stack) => continuous::best_moving(stack, on),
+            Layout::Discrete(_) | Layout::Varying(_) => Self::DiracComb,
         }
     }
 }
@@ -39,11 +38,7 @@ pub fn rail<'a>(
     match layout {
         Layout::Continuous(stack) => continuous::receptance(stack, on, method),
         Layout::Discrete(supports) => periodic::receptance(supports, on, method),
-        Layout::Varying(_) => Err(RailError::Method {
-            method: method.name(),
-            track: "sections one after another",
-            able: "none: give one section",
-        }),
+        Layout::Varying(sections) => periodic::over_sections(sections, on, method),
     }
 }
 
@@ -58,10 +53,11 @@ pub fn moving<'a>(
 ) -> Result<Box<dyn Moving + 'a>, RailError> {
     match layout {
         Layout::Continuous(stack) => continuous::moving(stack, on, method),
-        Layout::Discrete(_) | Layout::Varying(_) => Err(RailError::Method {
+        Layout::Discrete(supports) => periodic::moving(supports, on, method),
+        Layout::Varying(_) => Err(RailError::Method {
             method: method.name(),
-            track: "a load that moves over supports",
-            able: "none: take the supports away",
+            track: "a load that moves over sections",
+            able: "none: give one section",
         }),
     }
 }

@@ -121,7 +121,7 @@ mod tests {
         let train = Train::new(vec![Axle { position: 0.0, load }]).unwrap();
         let railway = Railway::new(Support::Springs(springs), beam, Some(train)).unwrap();
         let curve = CriticalSpeed { speeds: vec![10.0, 20.0] }.run(&railway, &Silent).unwrap();
-        let shape = TrackResponse { speeds: vec![10.0], x: None, spacing: 0.5, records: vec![] };
+        let shape = TrackResponse { speeds: vec![10.0], spacing: Some(0.5), ..TrackResponse::default() };
         let shape = shape.run(&railway, &Silent).unwrap();
         let all = curve.concerns.iter().chain(&shape.concerns).map(|c| c.code);
         all.filter(|code| *code == "static-deflection").collect()

@@ -13,6 +13,7 @@ mod landmarks;
 mod receptance;
 mod surface_compliance;
 mod track_response;
+mod transition;
 
 pub use comparison::Comparison;
 pub use contour::{Contour, GroundMaps};
@@ -23,7 +24,8 @@ pub use equivalent_stiffness::{EquivalentStiffness, StiffnessTable};
 pub use free_field::{Carrier, FreeField, Irregularity, PassVelocities, Roughness};
 pub use receptance::{Receptance, ReceptanceMap, Receptances, Surface};
 pub use surface_compliance::{Compliances, SurfaceComplianceTable};
-pub use track_response::{Record, TrackResponse, TrackShapes, same_speed, tag};
+pub use track_response::{OverSupports, Record, TrackResponse, TrackShapes, same_speed, tag};
+pub use transition::{Scattered, Transition};
 
 use crate::concern::Concern;
 use crate::dataset::Group;
@@ -105,6 +107,8 @@ pub enum Study {
     Receptance(Receptance),
     /// How fast does vibration die away along the rail?
     DecayRate(DecayRate),
+    /// What does a change of track do?
+    Transition(Transition),
     /// How much does a passing train shake the ground beside the track?
     FreeField(Box<FreeField>),
     /// k_eq(β, ω)
@@ -123,6 +127,7 @@ impl Study {
             Self::Contour(_) => "contour",
             Self::Receptance(_) => "receptance",
             Self::DecayRate(_) => "decay_rate",
+            Self::Transition(_) => "transition",
             Self::FreeField(_) => "free_field",
             Self::EquivalentStiffness(_) => "equivalent_stiffness",
             Self::SurfaceCompliance(_) => "surface_compliance",
@@ -141,6 +146,7 @@ impl Study {
             Self::Contour(study) => study.run(railway, observer),
             Self::Receptance(study) => study.run(railway, observer),
             Self::DecayRate(study) => study.run(railway, observer),
+            Self::Transition(study) => study.run(railway, observer),
             Self::FreeField(study) => study.run(railway, observer),
             Self::EquivalentStiffness(study) => study.run(railway, observer),
             Self::SurfaceCompliance(study) => study.run(railway.ground()?, observer),
@@ -182,7 +188,10 @@ impl Study {
     fn lacks(&self, railway: &Railway) -> Vec<RailwayError> {
         let (ground, track, train) = (railway.ground(), railway.track().err(), railway.train().err());
         let [first, second] = match self {
-            Self::CriticalSpeed(_) | Self::TrackResponse(_) => [track, train],
+            Self::CriticalSpeed(_) => [track, train],
+            Self::TrackResponse(_) if railway.on_supports() => [railway.foundation().err(), train],
+            Self::TrackResponse(_) => [track, train],
+            Self::Transition(_) => [(!railway.has_sections()).then_some(RailwayError::OneSection), None],
             Self::Receptance(study) => [study.lacks(railway), None],
             Self::DecayRate(study) => {
                 [railway.method(study.rail).and_then(|m| railway.receptance(m).map(drop)).err(), None]
@@ -209,7 +218,7 @@ impl Study {
                 study.check(railway)?;
                 vec![f64::INFINITY]
             }
-            Self::DecayRate(_) => vec![f64::INFINITY],
+            Self::DecayRate(_) | Self::Transition(_) => vec![f64::INFINITY],
             Self::FreeField(study) => {
                 study.check(railway)?;
                 vec![f64::INFINITY]

@@ -12,6 +12,7 @@ mod k_eq;
 mod light_damping;
 mod passage;
 mod periodic;
+mod periodic_moving;
 mod receptance;
 mod standing_field;
 mod surface_compliance;

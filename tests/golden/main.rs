@@ -34,7 +34,7 @@ fn at(path: &str) -> PathBuf {
 fn shrink(study: &mut Study) {
     match study {
         Study::CriticalSpeed(study) => study.speeds = study.speeds.iter().copied().step_by(5).collect(),
-        Study::TrackResponse(study) => study.spacing = 0.5,
+        Study::TrackResponse(study) => study.spacing = Some(0.5),
         Study::Contour(study) => {
             study.window.spacing = 1.0;
             study.clearance = Some(60.0);
@@ -50,7 +50,10 @@ fn shrink(study: &mut Study) {
             }
         }
         Study::FreeField(study) => study.bands = study.bands[8..12].to_vec(),
-        Study::DecayRate(_) | Study::EquivalentStiffness(_) | Study::SurfaceCompliance(_) => {}
+        Study::DecayRate(_)
+        | Study::Transition(_)
+        | Study::EquivalentStiffness(_)
+        | Study::SurfaceCompliance(_) => {}
     }
 }
 

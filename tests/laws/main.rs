@@ -10,6 +10,7 @@ mod agreement;
 mod common;
 mod dispersion;
 mod draw;
+mod elements;
 mod ground;
 mod light_damping;
 mod moving;
@@ -17,6 +18,7 @@ mod springs;
 mod strip;
 mod thin_layer;
 mod track;
+mod uniform;
 mod wrong;
 
 use groundwave::soil::Solver;

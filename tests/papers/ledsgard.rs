@@ -30,7 +30,7 @@ fn record(run: &Run) -> Vec<(f64, f64)> {
 
 /// Largest correlation of the record with the computed rail over shifts of the record's origin up to `most` [m], and the shift.
 fn correlation(model: &Railway, speed: f64, record: &[(f64, f64)], most: f64) -> (f64, f64) {
-    let study = TrackResponse { speeds: vec![speed], x: Some((-200.0, 40.0)), spacing: 0.1, records: vec![] };
+    let study = TrackResponse { speeds: vec![speed], x: Some((-200.0, 40.0)), ..TrackResponse::default() };
     let outcome = study.run(model, &Silent).unwrap();
     let rail = outcome.group.get("rail").unwrap().to_vec();
     let at = |x: f64| {

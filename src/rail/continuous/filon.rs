@@ -40,8 +40,9 @@ impl Receptance for Filon<'_> {
             let sums: Vec<Complex64> = places.iter().map(sum).collect();
             let size = (sums[0] + tail[0]).norm();
             let change = before.iter().flatten().zip(&sums).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
-            if before.is_some() && change < 15.0 * ACCURACY * size {
-                let error = change / 15.0 + rest.at(end).norm() * end / (9.0 * PI) + 1e-13 * size;
+            if before.is_some() && change < 5.0 * ACCURACY * size {
+                // a third of the change, as the asymptote is not always reached
+                let error = change / 5.0 + rest.at(end).norm() * end / (4.0 * PI) + 1e-13 * size;
                 let answers = sums.iter().zip(&tail).skip(1);
                 return Ok(answers.map(|(sum, tail)| Answer { value: sum + tail, error }).collect());
             }

@@ -1,7 +1,7 @@
 //! Discrete Fourier transform along β, its slow tail taken out: evenly spaced samples, as many as it takes.
 //!
-//! Spacing Δβ repeats the response every 2π/Δβ; halving it squares what the images leave, e^{−αX}, so that the last change tells the
-//! error of the finer sum. What lies beyond the last sample is measured by it.
+//! Spacing Δβ repeats the response every 2π/Δβ; halving it squares the e^{−αX} that the images leave, so that the last change is far above
+//! the error of the finer sum. What lies beyond the last sample is measured by it.
 //!
 //! Source: Eqs (33)–(38).
 
@@ -16,7 +16,7 @@ use std::f64::consts::{PI, TAU};
 
 const NAME: &str = "fourier";
 /// Wanted, relative to the receptance at the load.
-const ACCURACY: f64 = 1e-9;
+const ACCURACY: f64 = 1e-8;
 /// Samples allowed.
 const MOST: usize = 1 << 23;
 
@@ -28,7 +28,7 @@ pub(super) struct Rest<'a> {
     tower: &'a Tower,
     omega: f64,
     pub(super) tail: Tail,
-    /// Geometric mean of its poles [rad/m].
+    /// About its largest pole [rad/m].
     pub(super) scale: f64,
 }
 
@@ -48,21 +48,22 @@ impl<'a> Rest<'a> {
     /// Where [rad/m] it has faded to `part` of `of` [m/N], as an integral over all that is left.
     pub(super) fn end(&self, part: f64, of: f64) -> f64 {
         let mut end = 4.0 * self.scale;
-        while self.at(end).norm() * end / (9.0 * PI) > part * of && end < 1e4 * self.scale {
+        while self.at(end).norm() * end / (4.0 * PI) > part * of && end < 1e4 * self.scale {
             end *= 1.25;
         }
         end
     }
 }
 
-/// Geometric mean of the poles [rad/m] of ũ = n/d, from the first and the last coefficient of d.
+/// About the largest pole or zero [rad/m] of ũ = n/d: half of Fujiwara's bound on the roots of both, √ maxₖ |p_(N − k)/p_N|^(1/k).
 fn scale(ratio: &Ratio) -> f64 {
-    let d = ratio.denominator.coefficients();
-    let mean = match (d.first(), d.last()) {
-        (Some(first), Some(last)) => (first.norm() / last.norm()).powf(0.5 / (d.len() - 1).max(1) as f64),
-        _ => 1.0,
+    let largest = |p: &[Complex64]| {
+        let last = p.last().map_or(1.0, |c| c.norm());
+        let root = |(k, c): (usize, &Complex64)| (c.norm() / last).powf(1.0 / (k + 1) as f64);
+        p.iter().rev().skip(1).enumerate().map(root).fold(0.0, f64::max)
     };
-    if mean > 0.0 { mean } else { 1.0 }
+    let square = largest(ratio.numerator.coefficients()).max(largest(ratio.denominator.coefficients()));
+    if square > 0.0 { square.sqrt() } else { 1.0 }
 }
 
 impl Receptance for Fourier<'_> {
@@ -92,12 +93,11 @@ impl Receptance for Fourier<'_> {
             let change = sums.iter().zip(&finer).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
             let size = (finer[0] + tail[0]).norm();
             (sums, spacing) = (finer, 0.5 * spacing);
-            let error = change * (change / size).min(1.0);
-            if error < ACCURACY * size {
-                let cut = rest.at(end).norm() * end / (9.0 * PI);
+            if change < ACCURACY * size {
+                let cut = rest.at(end).norm() * end / (4.0 * PI);
                 let answers = sums.iter().zip(&tail).skip(1).map(|(sum, tail)| sum + tail);
                 return Ok(answers
-                    .map(|value| Answer { value, error: error + cut + 1e-14 * size })
+                    .map(|value| Answer { value, error: change + cut + 1e-14 * size })
                     .collect());
             }
             if end / spacing > MOST as f64 {

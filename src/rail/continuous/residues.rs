@@ -72,10 +72,7 @@ impl Receptance for Residues<'_> {
 impl Moving for Residues<'_> {
     fn under(&self, drive: Drive, _phase: f64, x: &[f64]) -> Result<Vec<Answer>, RailError> {
         self.0.check_drive(drive)?;
-        let beta = Polynomial::variable();
-        let along = Polynomial::new(vec![drive.omega.into(), (-drive.speed).into()]);
-        let tower = self.0.tower(NAME)?;
-        let ratio = tower.compliance(&(&beta * &beta), &along);
+        let ratio = along(self.0.tower(NAME)?, drive);
         let Ratio { numerator, denominator } = ratio.ok_or(RailError::Method {
             method: NAME,
             track: "hysteretic loss or bars under a load that moves",
@@ -99,6 +96,13 @@ impl Moving for Residues<'_> {
             })
             .collect())
     }
+}
+
+/// ũ(β, ω̃ − βv) as a ratio of polynomials in β; None where it is none.
+pub(super) fn along(tower: &Tower, drive: Drive) -> Option<Ratio> {
+    let beta = Polynomial::variable();
+    let omega = Polynomial::new(vec![drive.omega.into(), (-drive.speed).into()]);
+    tower.compliance(&(&beta * &beta), &omega)
 }
 
 /// A pole of ũ(β, ω̃ − βv).

@@ -60,6 +60,15 @@ impl<'a> Cell<'a> {
         self.coupled() || self.supports.joined()
     }
 
+    /// Refuses `omega` [rad/s] at which an element of the supports or of their ground is no spring; a constant load asks at 0.
+    ///
+    /// # Errors
+    /// As `Stack::check`.
+    pub fn check(&self, omega: f64) -> Result<(), FoundationError> {
+        self.supports.under.check(omega)?;
+        self.on.check(omega)
+    }
+
     /// The same supports without dissipation, on the real part of their ground.
     pub fn undamped(&self) -> Supports {
         let Supports { rail, under, .. } = self.supports;

@@ -38,6 +38,11 @@ impl<'a> DiracComb<'a> {
     pub fn new(supports: &'a Supports, on: &'a dyn Foundation) -> Result<Self, RailError> {
         Ok(Self { cell: Cell::new(supports, on)? })
     }
+
+    /// The bay.
+    pub fn cell(&self) -> &Cell<'a> {
+        &self.cell
+    }
 }
 
 /// Σ over `count` phases of the fields of all `pairs` (with their bays).

@@ -82,15 +82,28 @@ impl FreeWaves {
         Self { span, waves }
     }
 
-    /// The field [m/N] `bays` ≥ 0 bays ahead of a unit force, for places of the bay in `pair` (without bays, to ≥ from):
+    /// The parts of the field [m/N] ahead of a unit force for places of the bay in `pair`, with their λ: u = Σ_q λ_qⁿ u_q n bays ahead
+    /// (n ≥ 0, without bays to ≥ from),
     ///
-    ///   u = Σ_q λ_qⁿ N_q/(½(λ − 1/λ) dR/dc)_q,   the residues within |λ| = 1 of (1/2πi)∮ λⁿ (N/R) dλ/λ
+    ///   u_q = N_q/(½(λ − 1/λ) dR/dc)_q,   the residues within |λ| = 1 of (1/2πi)∮ λⁿ (N/R) dλ/λ
+    pub(super) fn parts(&self, pair: Pair) -> impl Iterator<Item = (Complex64, Complex64)> {
+        self.waves.iter().map(move |wave| {
+            let (numerator, _) = self.span.quotient(&pair, wave.lambda, wave.support, wave.delta);
+            (wave.lambda, numerator / (0.5 * (wave.lambda - 1.0 / wave.lambda) * wave.slope))
+        })
+    }
+
+    /// K_q of u_q = K_q ψ(x; λ) ψ(x₀; 1/λ), ψ = A₁δ₂ + A₂δ₁: −P/(δ₁δ₂ ½(λ − 1/λ) dR/dc), where supports carry at all.
+    pub(super) fn product(wave: &FreeWave) -> Complex64 {
+        let [d1, d2] = wave.delta;
+        -wave.support.0 / (d1 * d2 * 0.5 * (wave.lambda - 1.0 / wave.lambda) * wave.slope)
+    }
+
+    /// The field [m/N] `bays` ≥ 0 bays ahead of a unit force.
     pub(super) fn ahead(&self, pair: &Pair, bays: i32) -> Answer {
         let mut answer = Answer { value: Complex64::ZERO, error: 0.0 };
-        for wave in &self.waves {
-            let (numerator, _) = self.span.quotient(pair, wave.lambda, wave.support, wave.delta);
-            let residue = numerator / (0.5 * (wave.lambda - 1.0 / wave.lambda) * wave.slope);
-            let term = residue * wave.lambda.powi(bays);
+        for (lambda, part) in self.parts(*pair) {
+            let term = part * lambda.powi(bays);
             answer.value += term;
             // one rounding per bay of the phase
             answer.error += 1e-14 * (1.0 + 0.05 * f64::from(bays)) * term.norm();

@@ -43,6 +43,11 @@ impl Span {
         a * (ends[0] - ends[1])
     }
 
+    /// Whether wave `j` dies out within a bay, so far that b ≠ ±γ_j for all real b.
+    pub fn decays(&self, j: usize) -> bool {
+        (self.waves.gamma[j] * self.length).im < -1.0
+    }
+
     /// h_j(cos γ_jL − c) for `c`.
     pub fn delta(&self, c: Complex64) -> [Complex64; 2] {
         [0, 1].map(|j| self.cos[j] - self.h[j] * c)
@@ -52,7 +57,7 @@ impl Span {
     pub fn delta_at(&self, theta: f64) -> [Complex64; 2] {
         [0, 1].map(|j| {
             let phase = self.waves.gamma[j] * self.length;
-            if phase.im < -1.0 {
+            if self.decays(j) {
                 return self.cos[j] - self.h[j] * theta.cos();
             }
             2.0 * self.h[j] * (0.5 * (theta + phase)).sin() * (0.5 * (theta - phase)).sin()
@@ -62,6 +67,14 @@ impl Span {
     /// h_j A_j at `x` [m] of the bay for the factor `lambda`.
     pub fn shape(&self, x: f64, lambda: Complex64) -> [Complex64; 2] {
         [0, 1].map(|j| self.sine(j, self.length - x) + lambda * self.sine(j, x))
+    }
+
+    /// Amplitudes of e^{−iγ_jx} and of e^{−iγ_j(L − x)}, for j = 1 and 2, in h₁h₂(A₁δ₂ + A₂δ₁), a wave with the factor `lambda`.
+    pub fn ways(&self, lambda: Complex64, delta: [Complex64; 2]) -> [[Complex64; 2]; 2] {
+        [0, 1].map(|j| {
+            let (a, turn) = (self.waves.amplitude[j] * delta[1 - j], 0.5 * self.h[j]);
+            [a * (1.0 - lambda * turn), a * (lambda - turn)]
+        })
     }
 }
 

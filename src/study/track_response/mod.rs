@@ -1,11 +1,16 @@
 //! What shape have the rail and the ground under the track at given speeds?
 
+mod over_supports;
+mod over_supports_shown;
 mod shown;
 
-use super::{Outcome, StudyError};
+pub use over_supports::OverSupports;
+
+use super::{Beside, Outcome, StudyError};
 use crate::math::decimal::arithmetic;
 use crate::progress::Observer;
 use crate::railway::Railway;
+use crate::track::Layout;
 use ndarray::Array2;
 
 /// A measured or published record to be drawn beside the computed one.
@@ -21,18 +26,29 @@ pub struct Record {
     pub deflection: Vec<f64>,
 }
 
-/// Rail and base displacement along x′.
-#[derive(Clone, Debug, PartialEq)]
+/// Rail and base displacement along x′; over supports, of the rail at places of the bay while the train passes.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct TrackResponse {
     /// v [m/s]
     pub speeds: Vec<f64>,
     /// x′ from, to [m]; by default 40 m behind the last axle to 20 m ahead of the leading one.
     pub x: Option<(f64, f64)>,
-    /// Spacing [m].
-    pub spacing: f64,
+    /// Spacing [m]; 0.1 m by default, 0.02 m over supports.
+    pub spacing: Option<f64>,
     /// Records to compare with.
     pub records: Vec<Record>,
+    /// Over supports: where the rail is watched [m] from a support; over it and in the middle of the bay by default.
+    pub at: Vec<f64>,
+    /// Over supports: f̃ [Hz] with which all axle loads oscillate; None where they are constant.
+    pub harmonic: Option<f64>,
+    /// Over supports: f [Hz] of spectra; may be empty.
+    pub frequencies: Vec<f64>,
+    /// Spectra [m s] to compare with.
+    pub beside: Vec<Beside>,
 }
+
+/// Spacing of a shape [m].
+const SPACING: f64 = 0.1;
 
 /// Shapes of rail and base under the whole train, positive down.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,10 +86,11 @@ impl TrackResponse {
         let train = railway.train()?;
         let lead = train.axles()[0].position;
         let (from, to) = self.x.unwrap_or((-(train.length() + 40.0), 20.0));
-        let count = ((to - from) / self.spacing + 1e-9).floor() as usize + 1;
+        let spacing = self.spacing.unwrap_or(SPACING);
+        let count = ((to - from) / spacing + 1e-9).floor() as usize + 1;
         let mut shapes = TrackShapes {
             speeds: self.speeds.clone(),
-            x: arithmetic(from, self.spacing, count),
+            x: arithmetic(from, spacing, count),
             rail: Array2::zeros((self.speeds.len(), count)),
             base: Array2::zeros((self.speeds.len(), count)),
             missed: Vec::new(),
@@ -82,7 +99,7 @@ impl TrackResponse {
         for (row, &speed) in self.speeds.iter().enumerate() {
             let response = track.moving(speed, from.abs().max(to.abs()) + train.length())?;
             for axle in train.axles() {
-                let shape = response.shape(from + axle.position - lead, self.spacing, count);
+                let shape = response.shape(from + axle.position - lead, spacing, count);
                 for i in 0..count {
                     shapes.rail[(row, i)] += axle.load * shape.rail[i];
                     shapes.base[(row, i)] += axle.load * shape.base[i];
@@ -102,6 +119,9 @@ impl TrackResponse {
     /// # Errors
     /// As `solve`.
     pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
+        if matches!(railway.layout(), Layout::Discrete(_)) {
+            return Ok(self.over_supports(railway, observer)?.shown(&self.beside));
+        }
         Ok(self.solve(railway, observer)?.shown(&self.records, railway))
     }
 }
