@@ -215,13 +215,13 @@ pub(super) fn phases(count: usize) -> impl Iterator<Item = f64> {
 mod tests {
     use super::*;
     use crate::foundation::{FoundationModel, Pasternak, Springs};
-    use crate::track::Stack;
+    use crate::track::{Link, Stack};
 
     #[test]
     fn springs_of_a_sleeper_are_those_of_its_width() {
         // k + Gβ²: of a triangle of width w on e^{−s|x|}/2sG, s² = k/G, and its neighbours at nL
         let (k, shear, spacing, width) = (4e8, 3e7, 0.6, 0.25);
-        let model = Pasternak { stiffness: k, damping: 0.0, loss_factor: 0.0, shear };
+        let model = Pasternak { springs: Link::spring(k, 0.0, 0.0).unwrap(), shear };
         let on = Springs::new(FoundationModel::Pasternak(model)).unwrap();
         let rail = Member::beam(6.38e6, 60.23, 0.0).unwrap();
         let supports = Supports { rail, spacing, under: Stack::default(), width: Some(width) };
