@@ -51,6 +51,7 @@ impl TrackOnFoundation<'_> {
     /// A foundation that cannot answer; a response that diverges.
     pub fn harmonic(&self, omega: f64, speed: f64, reach: f64) -> Result<HarmonicLoad, InteractionError> {
         let drive = Drive { omega, speed };
+        self.check(drive)?;
         let line = self.harmonic_line(drive)?;
         let tail = self.tail(drive);
         // of one side, of both

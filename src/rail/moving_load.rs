@@ -68,6 +68,7 @@ impl TrackOnFoundation<'_> {
     /// # Errors
     /// A foundation that cannot answer.
     pub fn spectrum(&self, speed: f64) -> Result<MovingSpectrum<'_>, InteractionError> {
+        self.check(Drive { omega: 0.0, speed })?;
         let extent = self.extent(speed)?;
         let mut line = self.constant_line(speed, &extent)?;
         if !extent.bounded {

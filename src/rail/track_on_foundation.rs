@@ -3,7 +3,7 @@
 use super::Drive;
 use super::tail::Tail;
 use crate::foundation::{Foundation, FoundationError};
-use crate::track::Stack;
+use crate::track::{Stack, TrackError};
 use num_complex::Complex64;
 use thiserror::Error;
 
@@ -115,6 +115,22 @@ impl<'a> TrackOnFoundation<'a> {
                 return Ok(Extent { end, felt, sum, bounded });
             }
             step += 1.0;
+        }
+    }
+
+    /// Refuses loads under which an element is no spring: one that creeps bears no constant load at any speed, and causal hysteresis
+    /// none that passes ω = 0 on its way.
+    ///
+    /// # Errors
+    /// As [`Stack::check`].
+    pub(super) fn check(&self, drive: Drive) -> Result<(), FoundationError> {
+        let at = |omega: f64| self.stack.check(omega).map_err(Into::into).and(self.foundation.check(omega));
+        match at(0.0) {
+            Err(error @ FoundationError::Track(TrackError::Pushes { .. })) if drive.speed != 0.0 => {
+                Err(error)
+            }
+            Err(error) if drive.omega == 0.0 => Err(error),
+            _ => at(drive.omega),
         }
     }
 
