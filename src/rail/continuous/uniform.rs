@@ -42,6 +42,6 @@ impl<'a> Uniform<'a> {
     /// # Errors
     /// As [`Stack::check`].
     pub(super) fn check(&self, drive: Drive) -> Result<(), RailError> {
-        Ok(TrackOnFoundation::new(self.stack, self.on, 0.0).check(drive)?)
+        Ok(TrackOnFoundation::new(self.stack, self.on, 0.0).check(drive.omega, drive.speed)?)
     }
 }
