@@ -192,6 +192,7 @@ fn track_response(
         harmonic: input.harmonic,
         frequencies: frequencies.transpose()?.unwrap_or_default(),
         beside: spectra,
+        verify: input.verify,
     })
 }
 
