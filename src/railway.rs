@@ -317,6 +317,23 @@ impl Railway {
         }
     }
 
+    /// Refuses loads that last where a spring of the track, or under it, gives way without end.
+    ///
+    /// # Errors
+    /// `TrackError::NoStatics`, `TrackError::Pushes`.
+    pub fn check_statics(&self) -> Result<(), RailwayError> {
+        let track = match &self.layout {
+            Layout::Continuous(stack) => stack.check(0.0),
+            Layout::Discrete(supports) => supports.under.check(0.0),
+            Layout::Varying(sections) => sections.iter().try_for_each(|s| s.supports.under.check(0.0)),
+        };
+        track.map_err(FoundationError::from)?;
+        match &self.support {
+            Support::Springs(springs) => Ok(springs.check(0.0)?),
+            Support::Ground(_) => Ok(()),
+        }
+    }
+
     /// Refuses phase speeds [m/s] at which undamped ground has a wave, and the integral over wavenumbers no value.
     ///
     /// # Errors

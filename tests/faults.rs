@@ -400,3 +400,19 @@ fn elements_sections_and_rock_are_refused_at_their_keys() {
         assert!(format!("{} {help}", found[0]).contains(said), "{found:?}");
     }
 }
+
+#[test]
+fn an_element_that_creeps_bears_no_constant_load() {
+    let maxwell = "kind = \"winkler\"\nelement = { kind = \"maxwell\", stiffness = 1e8, damping = 1e6 }";
+    let text = on_springs("kind = \"beam\"\nbeam.section = \"54E1\"\nrails = 2", maxwell);
+    // shaken it answers
+    assert!(faults(&text).is_empty(), "{:?}", faults(&text));
+    let moving =
+        text + "[track_response]\nspeeds = [0.0, 50.0]\n[train]\naxles = [{ position = 0.0, load = 1e5 }]\n";
+    let found = faults(&moving);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(
+        found[0].key() == "track_response" && found[0].to_string().contains("\"maxwell\" gives way"),
+        "{found:?}"
+    );
+}

@@ -122,7 +122,7 @@ fn assumptions(railway: &Railway, studies: &[Study]) -> Vec<String> {
     let mut list = vec![
         "Linear and uniform along the track: one profile, one track, no structures, no transition.".to_owned(),
         "Displacements are positive down, and measured from the unloaded state; x′ is the position relative to the leading axle, positive ahead.".to_owned(),
-        "Track values are for the whole track: both rails.".to_owned(),
+        "Track values are for the whole track, both rails, unless the case says rails = 1.".to_owned(),
     ];
     list.extend(excitation(studies));
     match railway.support() {

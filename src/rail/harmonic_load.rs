@@ -51,8 +51,9 @@ impl TrackOnFoundation<'_> {
     /// A foundation that cannot answer; a response that diverges.
     pub fn harmonic(&self, omega: f64, speed: f64, reach: f64) -> Result<HarmonicLoad, InteractionError> {
         let drive = Drive { omega, speed };
+        self.check(omega, speed)?;
         let line = self.harmonic_line(drive)?;
-        let tail = self.tail(drive);
+        let tail = self.tail(omega, speed);
         // of one side, of both
         let near = TAU * tail.at(0.0) * if speed == 0.0 { 0.5 } else { 1.0 };
         let mut rail = |beta: f64| {

@@ -7,7 +7,7 @@
 //! The integral is done once by adaptive panels; the same nodes then serve every x′, every member and, by
 //! superposition, every axle. There is no period and no wrap-around.
 
-use super::drive::{Drive, Line};
+use super::drive::Line;
 use super::tail::Tail;
 use super::track_on_foundation::{ACCURACY, BETA_MIN, InteractionError, TrackOnFoundation};
 use super::waves::Waves;
@@ -68,6 +68,7 @@ impl TrackOnFoundation<'_> {
     /// # Errors
     /// A foundation that cannot answer.
     pub fn spectrum(&self, speed: f64) -> Result<MovingSpectrum<'_>, InteractionError> {
+        self.check(0.0, speed)?;
         let extent = self.extent(speed)?;
         let mut line = self.constant_line(speed, &extent)?;
         if !extent.bounded {
@@ -93,7 +94,7 @@ impl TrackOnFoundation<'_> {
         let beta_max = spectrum.beta_max;
         let points = panels(beta_max, reach);
         let mut integral = Adaptive::new();
-        let tail = self.tail(Drive { omega: 0.0, speed });
+        let tail = self.tail(0.0, speed);
         let mut integrand = |beta: f64| spectrum.at(beta).rail - tail.of(beta);
         integral.add(&mut integrand, &points);
         let tolerance = Tolerance { relative: ACCURACY, absolute: 0.0, max_count: MAX_COUNT };

@@ -3,7 +3,6 @@
 use super::drive::Drive;
 use super::track_on_foundation::InteractionError;
 use crate::foundation::FoundationError;
-use crate::track::TrackError;
 use num_complex::Complex64;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -148,11 +147,4 @@ pub enum RailError {
         /// What helps.
         remedy: &'static str,
     },
-}
-
-impl RailError {
-    /// Whether it is causal hysteresis below the frequency at which it holds.
-    pub(super) fn pushes(&self) -> bool {
-        matches!(self, Self::Foundation(FoundationError::Track(TrackError::Pushes { .. })))
-    }
 }

@@ -1,6 +1,5 @@
 //! What ũ(β) becomes at short waves, taken out of quadratures and put back in closed form.
 
-use super::Drive;
 use crate::track::{Ratio, Stack};
 use num_complex::Complex64;
 
@@ -47,9 +46,9 @@ impl Tail {
     }
 
     /// Of the rail of `stack` alone under a point: c₁ of one that shears, 1/(κGA − mv²); of others, and where v ≠ 0 of its loss, nothing.
-    pub fn of_rail(stack: &Stack, drive: Drive) -> Self {
+    pub fn of_rail(stack: &Stack, omega: f64, speed: f64) -> Self {
         let mut terms = [Complex64::ZERO; TERMS];
-        let shear = stack.members().first().and_then(|rail| rail.at_short_waves(drive.omega, drive.speed));
+        let shear = stack.members().first().and_then(|rail| rail.at_short_waves(omega, speed));
         let (c, scale) = shear.unwrap_or((Complex64::ZERO, 1.0));
         terms[0] = c;
         Self { terms, scale }

@@ -1,9 +1,8 @@
 //! A track on a foundation, and how far its answer to a moving load reaches.
 
-use super::Drive;
 use super::tail::Tail;
 use crate::foundation::{Foundation, FoundationError};
-use crate::track::Stack;
+use crate::track::{Stack, TrackError};
 use num_complex::Complex64;
 use thiserror::Error;
 
@@ -89,7 +88,7 @@ impl<'a> TrackOnFoundation<'a> {
         // in steps of ln ω that are the same at all speeds, so that foundations may keep what is dear at each ω
         const STEP: f64 = 0.25;
         let shift = if speed == 0.0 { 0.0 } else { speed.abs().ln() };
-        let (enough, tail) = (self.enough(), self.tail(Drive { omega: 0.0, speed }));
+        let (enough, tail) = (self.enough(), self.tail(0.0, speed));
         let (mut sum, mut stiffness) = (0.0, Complex64::ONE);
         // at an antiresonance of what lies below, rail and foundation are quiet for a moment: the first of so many quiet steps in a row
         let (mut unfelt, mut faded) = (Quiet::default(), Quiet::default());
@@ -118,9 +117,23 @@ impl<'a> TrackOnFoundation<'a> {
         }
     }
 
+    /// Refuses loads under which an element is no spring: one that creeps bears no constant load at any speed, and causal hysteresis
+    /// none that passes ω = 0 on its way.
+    ///
+    /// # Errors
+    /// As [`Stack::check`].
+    pub(super) fn check(&self, omega: f64, speed: f64) -> Result<(), FoundationError> {
+        let at = |omega: f64| self.stack.check(omega).map_err(Into::into).and(self.foundation.check(omega));
+        match at(0.0) {
+            Err(error @ FoundationError::Track(TrackError::Pushes { .. })) if speed != 0.0 => Err(error),
+            Err(error) if omega == 0.0 => Err(error),
+            _ => at(omega),
+        }
+    }
+
     /// What falls as β⁻² of a rail that shears under a point.
-    pub(super) fn tail(&self, drive: Drive) -> Tail {
-        Tail::of_rail(self.stack, drive)
+    pub(super) fn tail(&self, omega: f64, speed: f64) -> Tail {
+        Tail::of_rail(self.stack, omega, speed)
     }
 
     /// A wavenumber [rad/m] at which every load has faded or will not.

@@ -206,6 +206,14 @@ impl Study {
 
     /// Refuses phase speeds that undamped ground cannot bear, receivers on the track, grids beyond the memory.
     fn check_limits(&self, railway: &Railway) -> Result<(), StudyError> {
+        let constant = match self {
+            Self::CriticalSpeed(_) | Self::Contour(_) => true,
+            Self::TrackResponse(study) => study.harmonic.is_none(),
+            _ => false,
+        };
+        if constant {
+            railway.check_statics()?;
+        }
         let speeds: Vec<f64> = match self {
             Self::CriticalSpeed(CriticalSpeed { speeds }) => speeds.clone(),
             Self::TrackResponse(TrackResponse { speeds, .. }) => speeds.clone(),

@@ -54,7 +54,7 @@ impl Caughey {
     /// With s = ω/r, r the geometric mean of all, aⱼ = αⱼr²ʲ⁻¹ is the polynomial Σ aⱼ(s²)ʲ = 2ζs through the modes: Newton's
     /// divided differences, then its monomials; unscaled, the powers ω⁻¹ … ω²ᴺ⁻³ leave no digits.
     ///
-    /// Accuracy: 1e-8 of αⱼ for four modes within a fifth of an octave (test `analytic::springs`).
+    /// Accuracy: 5e-13 of αⱼ for four modes within a fifth of an octave (test `analytic::springs`).
     ///
     /// # Errors
     /// Frequencies that are not positive or twice the same, a negative ratio, as many ratios as modes or none.

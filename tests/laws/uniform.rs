@@ -119,12 +119,12 @@ fn moving_agree(Input { layout, on, omega, x }: &Input) -> Verdict {
 
 #[test]
 fn methods_for_uniform_tracks_agree() {
-    report("uniform tracks by all methods, of their bounds", ask(250, &inputs(), agree));
+    report("uniform tracks by all methods, of their bounds", ask(120, &inputs(), agree));
 }
 
 #[test]
 fn receptances_of_uniform_tracks_obey_every_law() {
-    report("receptances of uniform tracks", ask(150, &inputs(), receptances));
+    report("receptances of uniform tracks", ask(100, &inputs(), receptances));
 }
 
 #[test]

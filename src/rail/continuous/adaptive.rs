@@ -27,7 +27,7 @@ pub struct Adaptive<'a>(pub(super) Uniform<'a>);
 
 impl Adaptive<'_> {
     fn answer(&self, drive: Drive, x: &[f64]) -> Result<Vec<Answer>, RailError> {
-        self.0.check_drive(drive)?;
+        self.0.check(drive)?;
         let reach = x.iter().map(|x| x.abs()).fold(0.0, f64::max);
         if let Some(tower) = self.0.springs() {
             return OnSprings { tower, drive }.answer(x, reach);

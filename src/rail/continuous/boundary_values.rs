@@ -6,7 +6,7 @@
 
 use super::residues::Departing;
 use super::uniform::Uniform;
-use crate::rail::{Answer, RailError, Receptance};
+use crate::rail::{Answer, Drive, RailError, Receptance};
 use crate::track::{Member, Tower};
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
@@ -52,7 +52,7 @@ fn amplitudes(tower: &Tower, gamma: &[Complex64], omega: f64) -> Option<Vec<Comp
 
 impl Receptance for BoundaryValues<'_> {
     fn at(&self, x: &[f64], from: f64, omega: f64) -> Result<Vec<Answer>, RailError> {
-        self.0.check(omega)?;
+        self.0.check(Drive { omega, speed: 0.0 })?;
         let tower = self.0.tower(NAME)?;
         let waves = Departing::new(tower, omega).ok_or(self.0.unknown(NAME))?;
         let amplitude = amplitudes(tower, &waves.gamma, omega).ok_or(RailError::Unsettled {

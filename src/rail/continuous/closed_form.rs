@@ -3,7 +3,7 @@
 //! Source: Eqs (30)–(32), (90)–(93).
 
 use super::uniform::Uniform;
-use crate::rail::{Answer, BeamWaves, RailError, Receptance};
+use crate::rail::{Answer, BeamWaves, Drive, RailError, Receptance};
 
 const NAME: &str = "closed-form";
 
@@ -33,7 +33,7 @@ impl ClosedForm<'_> {
 
 impl Receptance for ClosedForm<'_> {
     fn at(&self, x: &[f64], from: f64, omega: f64) -> Result<Vec<Answer>, RailError> {
-        self.0.check(omega)?;
+        self.0.check(Drive { omega, speed: 0.0 })?;
         let waves = self.waves(omega)?;
         Ok(x.iter().map(|x| Answer::exact(waves.at(x - from))).collect())
     }

@@ -7,7 +7,7 @@
 use super::fourier::Rest;
 use super::uniform::Uniform;
 use crate::math::filon::quadratic;
-use crate::rail::{Answer, RailError, Receptance};
+use crate::rail::{Answer, Drive, RailError, Receptance};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
@@ -22,7 +22,7 @@ pub struct Filon<'a>(pub(super) Uniform<'a>);
 
 impl Receptance for Filon<'_> {
     fn at(&self, x: &[f64], from: f64, omega: f64) -> Result<Vec<Answer>, RailError> {
-        self.0.check(omega)?;
+        self.0.check(Drive { omega, speed: 0.0 })?;
         let rest = Rest::new(self.0.tower(NAME)?, omega).ok_or(self.0.unknown(NAME))?;
         // the force first, which says how large the answers are
         let places: Vec<f64> = std::iter::once(0.0).chain(x.iter().map(|x| x - from)).collect();

@@ -9,7 +9,7 @@ use super::uniform::Uniform;
 use crate::math::complex::reciprocal;
 use crate::math::expression::Polynomial;
 use crate::rail::tail::Tail;
-use crate::rail::{Answer, RailError, Receptance};
+use crate::rail::{Answer, Drive, RailError, Receptance};
 use crate::track::{Ratio, Tower};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
@@ -68,7 +68,7 @@ fn scale(ratio: &Ratio) -> f64 {
 
 impl Receptance for Fourier<'_> {
     fn at(&self, x: &[f64], from: f64, omega: f64) -> Result<Vec<Answer>, RailError> {
-        self.0.check(omega)?;
+        self.0.check(Drive { omega, speed: 0.0 })?;
         let rest = Rest::new(self.0.tower(NAME)?, omega).ok_or(self.0.unknown(NAME))?;
         let x: Vec<f64> = x.iter().map(|x| x - from).collect();
         // the force first, which says how large the answers are

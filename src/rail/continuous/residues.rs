@@ -59,7 +59,7 @@ pub struct Residues<'a>(pub(super) Uniform<'a>);
 
 impl Receptance for Residues<'_> {
     fn at(&self, x: &[f64], from: f64, omega: f64) -> Result<Vec<Answer>, RailError> {
-        self.0.check(omega)?;
+        self.0.check(Drive { omega, speed: 0.0 })?;
         let waves = Departing::new(self.0.tower(NAME)?, omega).ok_or(self.0.unknown(NAME))?;
         Ok(x.iter().map(|x| waves.at(&waves.amplitude, x - from)).collect())
     }
@@ -71,7 +71,7 @@ impl Receptance for Residues<'_> {
 
 impl Moving for Residues<'_> {
     fn under(&self, drive: Drive, _phase: f64, x: &[f64]) -> Result<Vec<Answer>, RailError> {
-        self.0.check_drive(drive)?;
+        self.0.check(drive)?;
         let ratio = along(self.0.tower(NAME)?, drive);
         let Ratio { numerator, denominator } = ratio.ok_or(RailError::Method {
             method: NAME,

@@ -1,7 +1,7 @@
 //! A uniform track on its foundation, and what methods may ask of it.
 
 use crate::foundation::Foundation;
-use crate::rail::{Drive, RailError};
+use crate::rail::{Drive, RailError, TrackOnFoundation};
 use crate::track::{Stack, Tower};
 
 /// A uniform track on its foundation.
@@ -37,24 +37,11 @@ impl<'a> Uniform<'a> {
         RailError::Method { method, track: "a track on layered ground", able: "adaptive" }
     }
 
-    /// Refuses `omega` [rad/s] at which an element is no spring.
+    /// Refuses loads under which an element is no spring.
     ///
     /// # Errors
     /// As [`Stack::check`].
-    pub(super) fn check(&self, omega: f64) -> Result<(), RailError> {
-        self.stack.check(omega).map_err(crate::foundation::FoundationError::from)?;
-        Ok(self.on.check(omega)?)
-    }
-
-    /// The same along a moving load: a constant one asks at ω = 0, and any that moves passes it on the way.
-    ///
-    /// # Errors
-    /// As [`Stack::check`].
-    pub(super) fn check_drive(&self, drive: Drive) -> Result<(), RailError> {
-        // elements that creep bear a load that oscillates; causal hysteresis is no spring around ω = 0
-        match self.check(0.0) {
-            Err(error) if drive.omega == 0.0 || (drive.speed != 0.0 && error.pushes()) => Err(error),
-            _ => self.check(drive.omega),
-        }
+    pub(super) fn check(&self, drive: Drive) -> Result<(), RailError> {
+        Ok(TrackOnFoundation::new(self.stack, self.on, 0.0).check(drive.omega, drive.speed)?)
     }
 }
