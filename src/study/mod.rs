@@ -167,6 +167,10 @@ impl Study {
                     Receptance { method: study.verify, receivers: Vec::new(), map: None, ..study.clone() };
                 Some((Self::Receptance(second), names))
             }
+            Self::DecayRate(study) => {
+                let names = asked(study.rail, study.verify)?;
+                Some((Self::DecayRate(DecayRate { rail: study.verify, ..study.clone() }), names))
+            }
             _ => None,
         }
     }
@@ -193,9 +197,7 @@ impl Study {
             Self::TrackResponse(_) => [track, train],
             Self::Transition(_) => [(!railway.has_sections()).then_some(RailwayError::OneSection), None],
             Self::Receptance(study) => [study.lacks(railway), None],
-            Self::DecayRate(study) => {
-                [railway.method(study.rail).and_then(|m| railway.receptance(m).map(drop)).err(), None]
-            }
+            Self::DecayRate(study) => [study.lacks(railway), None],
             Self::Contour(_) => [ground.and_then(Ground::contact).err(), train],
             Self::FreeField(_) => [ground.err().or(track), train],
             Self::EquivalentStiffness(_) => [railway.foundation().err(), None],
@@ -207,8 +209,17 @@ impl Study {
     /// Refuses phase speeds that undamped ground cannot bear, receivers on the track, grids beyond the memory.
     fn check_limits(&self, railway: &Railway) -> Result<(), StudyError> {
         let speeds: Vec<f64> = match self {
-            Self::CriticalSpeed(CriticalSpeed { speeds }) => speeds.clone(),
-            Self::TrackResponse(TrackResponse { speeds, .. }) => speeds.clone(),
+            // its amplification is against rest
+            Self::CriticalSpeed(CriticalSpeed { speeds }) => {
+                stands(railway)?;
+                speeds.clone()
+            }
+            Self::TrackResponse(TrackResponse { speeds, .. }) => {
+                if speeds.contains(&0.0) {
+                    stands(railway)?;
+                }
+                speeds.clone()
+            }
             Self::Contour(study) => {
                 study.check(railway)?;
                 study.speeds.clone()
@@ -231,6 +242,14 @@ impl Study {
         };
         Ok(railway.check_damping(speeds.into_iter())?)
     }
+}
+
+/// Refuses track and springs that give way under a load at rest.
+fn stands(railway: &Railway) -> Result<(), StudyError> {
+    if let Ok(stack) = railway.stack() {
+        stack.check(0.0).map_err(FoundationError::from)?;
+    }
+    Ok(railway.foundation().map_or(Ok(()), |foundation| foundation.check(0.0))?)
 }
 
 /// Why a study has no answer.
