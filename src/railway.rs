@@ -264,6 +264,20 @@ impl Railway {
         Ok(rail::moving(&self.layout, self.foundation()?, method)?)
     }
 
+    /// Refuses a `method`, and another to `verify` it, that do not know its rail, and a method that is to verify itself.
+    ///
+    /// # Errors
+    /// The first of them.
+    pub fn check_methods(&self, method: Option<Method>, verify: Option<Method>) -> Result<(), RailwayError> {
+        let method = self.method(method)?;
+        self.receptance(method)?;
+        match verify {
+            Some(second) if second == method => Err(RailwayError::Itself { method: method.name() }),
+            Some(second) => self.receptance(second).map(drop),
+            None => Ok(()),
+        }
+    }
+
     /// Decay [dB/m] of the free wave along its rail that decays least, at `omega` [rad/s].
     ///
     /// # Errors
@@ -377,10 +391,18 @@ pub enum RailwayError {
     NoTrack,
     /// Everything must be spread along the rail.
     #[error(
-        "its supports stand apart, and this study is of continuous tracks: without track.support all is spread along the rail; \
-         receptance, decay_rate, track_response and transition know supports"
+        "its supports stand apart, and this is known of continuous tracks alone, the ground beside them included: without track.support all \
+         is spread along the rail; receptance of the rail, decay_rate, track_response and transition know supports"
     )]
     Apart,
+    /// A method that is to verify itself.
+    #[error(
+        "method \"{method}\" is how the rail is asked already: verify with another one, or remove verify"
+    )]
+    Itself {
+        /// Its name.
+        method: &'static str,
+    },
     /// Sections are needed.
     #[error("it needs a track that changes: give two or more [[track.section]], and support.spacing")]
     OneSection,

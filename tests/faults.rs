@@ -416,3 +416,41 @@ fn an_element_that_creeps_bears_no_constant_load() {
         "{found:?}"
     );
 }
+
+/// Why supports, methods and springs that give way are refused before anything is computed.
+#[test]
+fn rails_are_asked_only_by_methods_that_know_them() {
+    let rail = "[track]\nkind = \"ballasted\"\nrails = 1\nrail.bending_stiffness = 6.38e6\nrail.mass = 60.23\nsleeper.mass = 245.0\nballast.kind = \"spring\"\nballast.stiffness = 1.8e8\nballast.loss_factor = 1.0\n";
+    let pad = "pad.stiffness = 3.5e8\npad.loss_factor = 0.15\n";
+    let lasting = "pad.element = { kind = \"maxwell\", stiffness = 3.5e8, damping = 1.92e4 }\n";
+    let head = format!("title = \"x\"\n[foundation]\nkind = \"rigid\"\n{rail}");
+    let sleepers = format!("{head}{pad}support.spacing = 0.6\n");
+    let train = "[train]\naxles = [{ position = 0.0, load = 150e3 }]\n";
+    let rates = "[decay_rate]\nfrequencies = [100.0]\n";
+    let asked = "[receptance]\nfrequencies = [100.0]\n";
+    for (text, key, said) in [
+        (format!("{sleepers}{asked}verify = \"fourier\"\n"), "receptance", "floquet, dirac-comb"),
+        (format!("{sleepers}{asked}verify = \"floquet\"\n"), "receptance", "verify with another"),
+        (format!("{sleepers}{rates}verify = \"fourier\"\n"), "decay_rate", "methods that do: floquet"),
+        (format!("{sleepers}{rates}method = \"en15461\"\nverify = \"filon\"\n"), "decay_rate", "dirac-comb"),
+        (format!("{sleepers}{asked}from = 1e6\n"), "receptance.from", "within 10 km"),
+        (
+            format!("{head}{lasting}{train}[critical_speed]\nspeeds = [20.0, 40.0]\n"),
+            "critical_speed",
+            "maxwell",
+        ),
+        (format!("{head}{lasting}{train}[track_response]\nspeeds = [0.0]\n"), "track_response", "maxwell"),
+    ] {
+        let found = faults(&text);
+        let [fault] = &found[..] else { panic!("{text}: {found:?}") };
+        assert!(fault.key() == key && fault.to_string().contains(said), "{key}: {fault}");
+    }
+    // what is asked of them is answered
+    for fine in [
+        format!("{sleepers}{asked}verify = \"transfer-matrix\"\n"),
+        format!("{sleepers}{rates}method = \"en15461\"\nverify = \"dirac-comb\"\n"),
+    ] {
+        let found = faults(&fine);
+        assert!(found.is_empty(), "{fine}: {found:?}");
+    }
+}

@@ -205,6 +205,14 @@ fn another(method: Option<Method>, verify: Option<Method>, path: &str) -> Result
     Ok(())
 }
 
+/// A place along the rail.
+fn place(x: f64, path: &str) -> Result<f64, Finding> {
+    if x.abs() <= FARTHEST {
+        return Ok(x);
+    }
+    Err(Finding::new(path, format!("found {x} m: it must be finite and within 10 km")))
+}
+
 /// Places along the rail.
 fn places(x: &[f64], path: &str) -> Result<Vec<f64>, Finding> {
     let finite = |v: f64| v.abs() <= FARTHEST;
@@ -229,8 +237,7 @@ fn receptance(
         Ok(ReceptanceMap { frequencies, window })
     });
     another(input.method, input.verify, "receptance")?;
-    let from = input.from.unwrap_or(0.0);
-    places(&[from], "receptance.from")?;
+    let from = place(input.from.unwrap_or(0.0), "receptance.from")?;
     Ok(Receptance {
         frequencies,
         from,
@@ -250,13 +257,11 @@ fn decay_rate(
     let frequencies = numbers(&input.frequencies, "decay_rate.frequencies", "Hz", POSITIVE)?;
     ascending(&frequencies, "decay_rate.frequencies")?;
     another(input.rail, input.verify, "decay_rate")?;
-    if let Some(from) = input.from {
-        places(&[from], "decay_rate.from")?;
-    }
+    let from = input.from.map(|x| place(x, "decay_rate.from")).transpose()?;
     Ok(DecayRate {
         frequencies,
         definition: input.method.unwrap_or_default(),
-        from: input.from,
+        from,
         rail: input.rail,
         verify: input.verify,
         beside: beside(&input.measured, "decay_rate.measured", files)?,
@@ -282,7 +287,7 @@ fn transition(input: &TransitionInput) -> Result<Transition, Finding> {
         return Err(Finding::new("transition.spacing", message).help("use a larger spacing"));
     }
     let from = input.from.unwrap_or(-0.5);
-    places(&[from], "transition.from")?;
+    place(from, "transition.from")?;
     Ok(Transition { frequencies, along: along.transpose()?.unwrap_or_default(), from, x, spacing })
 }
 

@@ -167,6 +167,10 @@ impl Study {
                     Receptance { method: study.verify, receivers: Vec::new(), map: None, ..study.clone() };
                 Some((Self::Receptance(second), names))
             }
+            Self::DecayRate(study) => {
+                let names = asked(study.rail, study.verify)?;
+                Some((Self::DecayRate(DecayRate { rail: study.verify, ..study.clone() }), names))
+            }
             _ => None,
         }
     }
@@ -193,9 +197,7 @@ impl Study {
             Self::TrackResponse(_) => [track, train],
             Self::Transition(_) => [(!railway.has_sections()).then_some(RailwayError::OneSection), None],
             Self::Receptance(study) => [study.lacks(railway), None],
-            Self::DecayRate(study) => {
-                [railway.method(study.rail).and_then(|m| railway.receptance(m).map(drop)).err(), None]
-            }
+            Self::DecayRate(study) => [study.lacks(railway), None],
             Self::Contour(_) => [ground.and_then(Ground::contact).err(), train],
             Self::FreeField(_) => [ground.err().or(track), train],
             Self::EquivalentStiffness(_) => [railway.foundation().err(), None],

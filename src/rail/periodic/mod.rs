@@ -93,6 +93,10 @@ pub(in crate::rail) fn free_decay(
     omega: f64,
 ) -> Result<f64, RailError> {
     match method {
+        None | Some(Method::Floquet) if supports.width.is_some() => {
+            let waves = "the free wave of supports that the ground joins, which has no closed form";
+            refused(Method::Floquet, waves, "exact-receptance, en15461")
+        }
         None | Some(Method::Floquet) => Ok(Floquet::new(supports, on)?.waves(omega)?.decay_rate()),
         Some(method) => refused(method, "the free waves of equal supports", "floquet"),
     }

@@ -5,7 +5,7 @@ mod shown;
 use super::{Beside, Outcome, StudyError};
 use crate::progress::Observer;
 use crate::rail::{DecayRate as Definition, Landmark, Method, decay_rate};
-use crate::railway::Railway;
+use crate::railway::{Railway, RailwayError};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -47,6 +47,20 @@ pub struct DecayRates {
 }
 
 impl DecayRate {
+    /// What `railway` lacks for an answer.
+    pub(super) fn lacks(&self, railway: &Railway) -> Option<RailwayError> {
+        let free = |method| {
+            let omega = self.frequencies.first().map_or(TAU, |frequency| TAU * frequency);
+            railway.free_decay(method, omega).err()
+        };
+        match self.definition {
+            Definition::Floquet => {
+                free(self.rail).or_else(|| self.verify.and_then(|second| free(Some(second))))
+            }
+            _ => railway.check_methods(self.rail, self.verify).err(),
+        }
+    }
+
     /// Δ [dB/m] at every frequency.
     ///
     /// Accuracy: that of the receptances; of the free wave rounding (tests `analytic::decay_rates`, `analytic::periodic`).

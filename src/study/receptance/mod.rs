@@ -81,7 +81,7 @@ impl Receptance {
         // the ground beside the track is that of continuous ones
         let beside = !self.receivers.is_empty() || self.map.is_some();
         let track = if beside { railway.track().err() } else { None };
-        track.or(railway.method(self.method).and_then(|method| railway.receptance(method).map(drop)).err())
+        track.or(railway.check_methods(self.method, self.verify).err())
     }
 
     /// Refuses receivers on the track and maps beyond the free memory.
