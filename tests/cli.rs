@@ -462,7 +462,7 @@ fn the_schema_knows_kinds() {
     has("FoundationModel", "pasternak", "damping element kind loss_factor shear stiffness");
     has("FoundationModel", "rigid", "kind");
     has("Ballast", "block", "damping element kind link loss_factor mass stiffness");
-    has("Element", "zener", "damping kind second_stiffness stiffness");
+    has("SpringElement", "zener", "damping kind second_stiffness stiffness");
     has("Ballast", "consistent-mass", "damping kind loss_factor mass stiffness");
     // keys of the track that are no kind's own stand beside the kinds
     has("TrackInput", "slab", "kind load pad rail rails slab");

@@ -19,7 +19,7 @@ pub use winkler::Winkler;
 use crate::math::quadrature::miss;
 use crate::quantity::OutOfRange;
 use crate::soil::SoilError;
-use crate::track::{Stack, TrackError};
+use crate::track::{Stack, TrackError, closed};
 use num_complex::Complex64;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -28,7 +28,7 @@ use thiserror::Error;
 /// A published foundation of springs, by its parameters per metre of track. Source: section 2.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
-#[schemars(tag = "kind")]
+#[schemars(tag = "kind", transform = closed)]
 pub enum FoundationModel {
     /// Independent springs.
     Winkler(Winkler),

@@ -1,6 +1,6 @@
 //! How the ballast of a track is modelled, per metre of whole track.
 
-use super::link::Spring;
+use super::link::{Spring, closed};
 use super::{Link, Member, TrackError};
 use crate::quantity::{between, not_negative, positive};
 use schemars::JsonSchema;
@@ -9,7 +9,7 @@ use serde::Deserialize;
 /// Ballast between sleepers and ground: `track.ballast` of a case file.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
-#[schemars(tag = "kind")]
+#[schemars(tag = "kind", transform = closed)]
 pub enum Ballast {
     /// Vertical bars with wave motion over the contact width (Alves Costa et al., A.2).
     Bars {

@@ -13,7 +13,7 @@ use std::f64::consts::{FRAC_2_PI, PI, TAU};
 /// Source: Fig. 4.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
-#[schemars(tag = "kind")]
+#[schemars(tag = "kind", rename = "SpringElement")]
 pub enum Element {
     /// Spring and dashpot abreast (Kelvin–Voigt), with hysteretic loss: k(1 + iη sgn ω) + iωc. Source: Eqs (19), (24).
     Spring {

@@ -16,7 +16,7 @@ pub use ballast::Ballast;
 pub use ballasted::{Ballasted, Sleeper};
 pub use damping::{Caughey, Rayleigh};
 pub use element::Element;
-pub use link::{Link, LinkStiffness, Spring};
+pub use link::{Link, LinkStiffness, Spring, closed};
 pub use member::Member;
 pub use section::{Rail, Rails, Section as RailSection};
 pub use slab::Slab;
