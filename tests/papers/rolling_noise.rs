@@ -6,10 +6,12 @@ use groundwave::{Case, Study};
 
 pub const CASES: &[&str] = &[
     "discrete_sleepers_on_layered_ground",
+    "lamprea2022_moving_load_over_supports",
     "lamprea2022_noise_continuous_1layer",
     "lamprea2022_noise_continuous_2layer",
     "lamprea2022_noise_discrete_2layer",
     "lamprea2022_noise_discrete_2layer_viscous",
+    "lamprea2022_transition",
     "rolland_mobility",
 ];
 
@@ -20,6 +22,7 @@ fn at_known_frequencies(name: &str) -> Run {
         let (frequencies, beside) = match study {
             Study::Receptance(study) => (&mut study.frequencies, &study.beside),
             Study::DecayRate(study) => (&mut study.frequencies, &study.beside),
+            Study::TrackResponse(study) => (&mut study.frequencies, &study.beside),
             _ => continue,
         };
         if let Some(curve) = beside.first() {
@@ -109,6 +112,31 @@ fn one_rail_on_sleepers() {
             rates(&run).iter().map(|(f, computed, known)| (*f, factor * computed, *known)).collect();
         all_within(name, &rates, 1e-10);
     }
+}
+
+/// Fig. 27: sleepers pass with v/L, and the spectrum over one of them to the digits known.
+#[test]
+fn a_load_that_moves_over_supports() {
+    let run = at_known_frequencies("lamprea2022_moving_load_over_supports");
+    relative("passing", run.answer("track_response", "passing_frequency_11.11"), 40.0 / 3.6 / 0.6, 1e-12);
+    let study = run.case.studies.iter().find_map(|study| match study {
+        Study::TrackResponse(study) => Some(study),
+        _ => None,
+    });
+    let (beside, spectrum) = (&study.unwrap().beside[0], run.values("track_response", "spectrum"));
+    let rows: Vec<_> = (0..beside.x.len()).map(|i| (beside.x[i], spectrum[i], beside.values[i])).collect();
+    // measured 1e-8
+    all_within("spectrum", &rows, 1e-7);
+}
+
+/// A change over ten bays: the receptance to the digits known, and hardly any power that returns.
+#[test]
+fn a_transition() {
+    let run = at_known_frequencies("lamprea2022_transition");
+    all_within("lamprea2022_transition", &moduli(&run, 0), 1e-9);
+    // measured 2.6e-4
+    let returned = run.answer("transition", "max_reflected");
+    assert!(returned < 3e-4, "{returned}");
 }
 
 /// 61 moduli of the test data of the package rolland, whose 241 supports have ends.

@@ -2,7 +2,7 @@
 
 mod shown;
 
-use super::{Beside, Outcome, StudyError};
+use super::{Beside, Outcome, StudyError, known};
 use crate::progress::Observer;
 use crate::rail::{DecayRate as Definition, Landmark, Method, decay_rate};
 use crate::railway::{Railway, RailwayError};
@@ -42,20 +42,21 @@ pub struct DecayRates {
     pub rail: Method,
     /// Frequencies of the track without loss that explain the curve.
     pub landmarks: Vec<(Landmark, f64)>,
+    /// Ranges [Hz] in which no wave travels without loss.
+    pub stop_bands: Vec<(f64, f64)>,
 }
 
 impl DecayRate {
     /// What `railway` lacks for an answer.
     pub(super) fn lacks(&self, railway: &Railway) -> Option<RailwayError> {
-        let free = |method| {
-            let omega = self.frequencies.first().map_or(TAU, |frequency| TAU * frequency);
-            railway.free_decay(method, omega).err()
-        };
+        let known = known(railway, self.rail, self.verify).err();
+        let omega = self.frequencies.first().map_or(TAU, |frequency| TAU * frequency);
+        // not every method that knows the rail knows its free waves
+        let free = |method| railway.free_decay(method, omega).err();
+        let second = || self.verify.and_then(|second| free(Some(second)));
         match self.definition {
-            Definition::Floquet => {
-                free(self.rail).or_else(|| self.verify.and_then(|second| free(Some(second))))
-            }
-            _ => railway.check_methods(self.rail, self.verify).err(),
+            Definition::Floquet => known.or_else(|| free(self.rail)).or_else(second),
+            _ => known,
         }
     }
 
@@ -83,12 +84,14 @@ impl DecayRate {
         };
         let decay = self.frequencies.par_iter().map(rate).collect::<Result<_, _>>()?;
         observer.end();
+        let highest = self.frequencies.last().copied().unwrap_or_default();
         Ok(DecayRates {
             frequencies: self.frequencies.clone(),
             decay,
             definition: self.definition,
             rail: method,
-            landmarks: railway.landmarks(self.frequencies.last().copied().unwrap_or_default()),
+            landmarks: railway.landmarks(highest),
+            stop_bands: railway.stop_bands(highest),
         })
     }
 
