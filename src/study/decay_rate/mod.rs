@@ -62,7 +62,7 @@ impl DecayRate {
 
     /// Δ [dB/m] at every frequency.
     ///
-    /// Accuracy: that of the receptances; of the free wave rounding (tests `analytic::decay_rates`, `analytic::periodic`).
+    /// Accuracy: that of the receptances; of the free wave rounding (tests `analytic::periodic::decay_rates_as_measured`, `analytic::continuous`).
     ///
     /// # Errors
     /// No track; ground that joins the supports where the free wave is asked for, sections, a method that does not know the track.
