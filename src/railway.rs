@@ -264,20 +264,6 @@ impl Railway {
         Ok(rail::moving(&self.layout, self.foundation()?, method)?)
     }
 
-    /// Refuses a `method`, and another to `verify` it, that do not know its rail, and a method that is to verify itself.
-    ///
-    /// # Errors
-    /// The first of them.
-    pub fn check_methods(&self, method: Option<Method>, verify: Option<Method>) -> Result<(), RailwayError> {
-        let method = self.method(method)?;
-        self.receptance(method)?;
-        match verify {
-            Some(second) if second == method => Err(RailwayError::Itself { method: method.name() }),
-            Some(second) => self.receptance(second).map(drop),
-            None => Ok(()),
-        }
-    }
-
     /// Decay [dB/m] of the free wave along its rail that decays least, at `omega` [rad/s].
     ///
     /// # Errors

@@ -431,7 +431,9 @@ fn rails_are_asked_only_by_methods_that_know_them() {
     for (text, key, said) in [
         (format!("{sleepers}{asked}verify = \"fourier\"\n"), "receptance", "floquet, dirac-comb"),
         (format!("{sleepers}{asked}verify = \"floquet\"\n"), "receptance", "verify with another"),
-        (format!("{sleepers}{rates}verify = \"fourier\"\n"), "decay_rate", "methods that do: floquet"),
+        (format!("{sleepers}{rates}verify = \"fourier\"\n"), "decay_rate", "floquet, dirac-comb"),
+        (format!("{sleepers}{rates}verify = \"floquet\"\n"), "decay_rate", "verify with another"),
+        (format!("{sleepers}{rates}verify = \"dirac-comb\"\n"), "decay_rate", "methods that do: floquet"),
         (format!("{sleepers}{rates}method = \"en15461\"\nverify = \"filon\"\n"), "decay_rate", "dirac-comb"),
         (format!("{sleepers}{asked}from = 1e6\n"), "receptance.from", "within 10 km"),
         (

@@ -68,7 +68,7 @@ pub fn en15461(rail: &dyn Receptance, spacing: f64, from: f64, omega: f64) -> Re
 /// Bay by bay by Gauss's rule, until what one bay adds has become nothing, or falls from bay to bay as a single wave does, whose rest
 /// is a geometric sum.
 ///
-/// Accuracy: 1e-8 where one wave remains after 400 bays (test `analytic::decay_rates`).
+/// Accuracy: 1e-8 where one wave remains after 400 bays (test `analytic::periodic::decay_rates_as_measured`).
 ///
 /// # Errors
 /// As `rail`; vibration that does not die away.

@@ -243,6 +243,17 @@ impl Study {
     }
 }
 
+/// Refuses a `method`, and another to `verify` it, that do not know the rail of `railway`, and a method that is to verify itself.
+fn known(railway: &Railway, method: Option<Method>, verify: Option<Method>) -> Result<(), RailwayError> {
+    let method = railway.method(method)?;
+    railway.receptance(method)?;
+    match verify {
+        Some(second) if second == method => Err(RailwayError::Itself { method: method.name() }),
+        Some(second) => railway.receptance(second).map(drop),
+        None => Ok(()),
+    }
+}
+
 /// Why a study has no answer.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum StudyError {

@@ -6,7 +6,7 @@ mod shown;
 
 pub use map::{ReceptanceMap, Surface};
 
-use super::{Beside, Outcome, StudyError};
+use super::{Beside, Outcome, StudyError, known};
 use crate::progress::Observer;
 use crate::rail::{Answer as RailAnswer, Landmark, Method};
 use crate::railway::{Railway, RailwayError};
@@ -81,7 +81,7 @@ impl Receptance {
         // the ground beside the track is that of continuous ones
         let beside = !self.receivers.is_empty() || self.map.is_some();
         let track = if beside { railway.track().err() } else { None };
-        track.or(railway.check_methods(self.method, self.verify).err())
+        track.or(known(railway, self.method, self.verify).err())
     }
 
     /// Refuses receivers on the track and maps beyond the free memory.
