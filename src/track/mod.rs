@@ -112,7 +112,7 @@ pub enum TrackError {
     #[error("found {found} rails: a track has 2, and its numbers may stand for 1 of them")]
     Rails {
         /// As given.
-        found: u8,
+        found: f64,
     },
     /// A section, which is one rail, without their number.
     #[error("the number of rails is missing: a section is one rail")]

@@ -70,7 +70,7 @@ impl Section {
 
 /// How many rails the numbers of a track stand for: all of them, per metre.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq)]
-#[serde(try_from = "u8")]
+#[serde(try_from = "f64")]
 pub enum Rails {
     /// One rail and its share of what lies under it.
     One,
@@ -89,13 +89,13 @@ impl Rails {
     }
 }
 
-impl TryFrom<u8> for Rails {
+impl TryFrom<f64> for Rails {
     type Error = TrackError;
 
-    fn try_from(found: u8) -> Result<Self, TrackError> {
+    fn try_from(found: f64) -> Result<Self, TrackError> {
         match found {
-            1 => Ok(Self::One),
-            2 => Ok(Self::Two),
+            1.0 => Ok(Self::One),
+            2.0 => Ok(Self::Two),
             _ => Err(TrackError::Rails { found }),
         }
     }
@@ -204,6 +204,6 @@ mod tests {
         assert!((two - 2.0 * one).norm() < 1e-14 * two.norm());
         assert_eq!(Rail::Each(rail).member(None), Err(TrackError::RailsMissing));
         assert_eq!(Rail::Together(rail).member(None), Ok(rail));
-        assert!(Rails::try_from(3).is_err() && Rails::try_from(1) == Ok(Rails::One));
+        assert!(Rails::try_from(3.0).is_err() && Rails::try_from(1.0) == Ok(Rails::One));
     }
 }
