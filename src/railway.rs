@@ -2,7 +2,7 @@
 
 use crate::foundation::{Foundation, FoundationError, Grain, LayeredSoil, Springs};
 use crate::rail::periodic::{Floquet, Undamped};
-use crate::rail::{self, Landmark, Method, RailError, Receptance, TrackOnFoundation};
+use crate::rail::{self, Landmark, Method, Moving, RailError, Receptance, TrackOnFoundation};
 use crate::soil::{Compatibility, Profile, Solver, Strip};
 use crate::track::{Layout, Stack, Supports};
 use crate::vehicle::Train;
@@ -253,6 +253,17 @@ impl Railway {
         Ok(rail::rail(&self.layout, foundation, method)?)
     }
 
+    /// How its rail answers a force that moves, by `method`.
+    ///
+    /// # Errors
+    /// No track, no foundation, a method that does not know them.
+    pub fn moving(&self, method: Method) -> Result<Box<dyn Moving + '_>, RailwayError> {
+        if self.is_bare() {
+            return Err(RailwayError::NoTrack);
+        }
+        Ok(rail::moving(&self.layout, self.foundation()?, method)?)
+    }
+
     /// Decay [dB/m] of the free wave along its rail that decays least, at `omega` [rad/s].
     ///
     /// # Errors
@@ -281,6 +292,16 @@ impl Railway {
             }
             Layout::Varying(_) => Vec::new(),
         }
+    }
+
+    /// Ranges up to `highest` [Hz] in which no wave travels along the rail on equal springs of its own, all loss taken out.
+    pub fn stop_bands(&self, highest: f64) -> Vec<(f64, f64)> {
+        let (Layout::Discrete(supports), Support::Springs(springs)) = (&self.layout, &self.support) else {
+            return Vec::new();
+        };
+        let floquet = Floquet::new(supports, springs);
+        let bands = floquet.and_then(|floquet| Undamped::new(&floquet).bands(highest)).unwrap_or_default();
+        bands.iter().filter(|band| band.waves == 0).map(|band| (band.from, band.to)).collect()
     }
 
     /// Refuses receivers, at `distances` [m] from the centre line, without layered ground or on the track.

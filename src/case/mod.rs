@@ -11,6 +11,7 @@ pub mod library;
 mod load;
 mod loader;
 mod plausible;
+mod ranges;
 mod read;
 mod report;
 mod roughness;

@@ -272,6 +272,8 @@ pub struct TrackResponseInput {
     /// Records to draw beside the computed shapes.
     #[serde(default)]
     pub measured: Vec<MeasuredInput>,
+    /// Another method, whose difference is reported.
+    pub verify: Option<Method>,
 }
 
 /// `[[track_response.measured]]`

@@ -3,17 +3,17 @@
 use super::checks::{FARTHEST, ascending, distinct, span};
 use super::error::Finding;
 use super::irregularity;
+use super::ranges::{MOST, NOT_NEGATIVE, POSITIVE, numbers, speeds};
 use super::schema::{
     BesideInput, CaseInput, ContourInput, CriticalSpeedInput, DecayRateInput, DispersionInput,
     EquivalentStiffnessInput, FreeFieldInput, MeasuredInput, ReceptanceInput, SoilInput, SpanInput,
     SurfaceComplianceInput, TrackResponseInput, TransitionInput,
 };
 use super::train::Wheels;
-use super::values::{Bands, Named, Range, Speed};
+use super::values::{Named, Range};
 use crate::assessment::Band;
 use crate::columns::{self, Columns};
 use crate::field::{Quantity, Window};
-use crate::math::decimal::arithmetic;
 use crate::quantity::positive;
 use crate::rail::Method;
 use crate::soil::{Solver, ThinLayer};
@@ -26,88 +26,6 @@ use std::collections::BTreeSet;
 
 /// Least distance to the periodic images of a contour [m].
 const LEAST_CLEARANCE: f64 = 20.0;
-
-/// Most values a range may have.
-const MOST: usize = 100_000;
-
-/// The numbers of a range, each accepted by `accept`.
-fn numbers(
-    range: &Range<f64>,
-    path: &str,
-    unit: &str,
-    accept: (fn(f64) -> bool, &str),
-) -> Result<Vec<f64>, Finding> {
-    let values = match *range {
-        Range::List(ref list) => list.clone(),
-        Range::Steps { from, to, bands: Some(Bands::ThirdOctave), step } => {
-            if step.is_some() || unit != "Hz" {
-                return Err(match step {
-                    Some(_) => Finding::new(format!("{path}.step"), "step and bands are both given"),
-                    None => Finding::new(format!("{path}.bands"), "bands are of frequencies"),
-                }
-                .help("remove one of them"));
-            }
-            let bands = Band::range(from, to).map_err(|error| Finding::new(path, error))?;
-            bands.into_iter().map(Band::centre).collect()
-        }
-        Range::Steps { from, to, step, bands: None } => {
-            let Some(step) = step else {
-                return Err(Finding::new(path, "missing key `step`").help("give step, or a list [a, b, …]"));
-            };
-            if !(from.is_finite() && to.is_finite() && step.is_finite()) {
-                return Err(Finding::new(
-                    path,
-                    format!("range from {from} to {to} step {step}: all must be finite"),
-                ));
-            }
-            if step <= 0.0 {
-                return Err(Finding::new(
-                    format!("{path}.step"),
-                    format!("step is {step} {unit}: it must be above zero"),
-                ));
-            }
-            if to < from {
-                return Err(Finding::new(path, format!("the range is reversed: from {from} to {to} {unit}"))
-                    .help("swap from and to"));
-            }
-            let count = ((to - from) / step + 1e-9).floor();
-            if count >= MOST as f64 {
-                return Err(Finding::new(path, format!("the range has {count:.0} values, more than {MOST}"))
-                    .help("use a larger step"));
-            }
-            arithmetic(from, step, count as usize + 1)
-        }
-    };
-    if values.is_empty() {
-        return Err(Finding::new(path, "the list is empty").help("give at least one value"));
-    }
-    for (i, value) in values.iter().enumerate() {
-        if !(value.is_finite() && accept.0(*value)) {
-            let path = if matches!(range, Range::List(_)) { format!("{path}[{i}]") } else { path.to_owned() };
-            return Err(Finding::new(
-                path,
-                format!("found {value} {unit}: it must be finite and {}", accept.1),
-            ));
-        }
-    }
-    Ok(values)
-}
-
-const POSITIVE: (fn(f64) -> bool, &str) = (|v| v > 0.0, "above zero");
-const NOT_NEGATIVE: (fn(f64) -> bool, &str) = (|v| v >= 0.0, "not negative");
-
-fn plain(range: &Range<Speed>) -> Range<f64> {
-    match range {
-        Range::List(list) => Range::List(list.iter().map(|s| s.0).collect()),
-        Range::Steps { from, to, step, bands } => {
-            Range::Steps { from: from.0, to: to.0, step: step.map(|step| step.0), bands: *bands }
-        }
-    }
-}
-
-fn speeds(range: &Range<Speed>, path: &str) -> Result<Vec<f64>, Finding> {
-    numbers(&plain(range), path, "m/s", NOT_NEGATIVE)
-}
 
 /// Two columns of the CSV `file` that the key at `at` names.
 fn columns_of(
@@ -192,6 +110,7 @@ fn track_response(
         harmonic: input.harmonic,
         frequencies: frequencies.transpose()?.unwrap_or_default(),
         beside: spectra,
+        verify: input.verify,
     })
 }
 

@@ -12,6 +12,7 @@
 //! Source: Lamprea-Pineda et al. 2022, Eqs 85–87 and application 3.
 
 use super::drive::HARMONIC_ACCURACY as ACCURACY;
+use super::tail::Tail;
 use super::waves::Waves;
 use super::{Answer, Drive, InteractionError, RailError, Receptance, TrackOnFoundation};
 use crate::math::quadrature::{Adaptive, Tolerance, miss};
@@ -27,6 +28,8 @@ const MAX_COUNT: usize = 600_000;
 pub struct HarmonicLoad {
     /// ũ_r/2π [m/N]
     waves: Waves,
+    /// What is not in them.
+    tail: Tail,
     /// Error over what was allowed, where it is largest: at most 1 where the accuracy was reached.
     pub worst: f64,
 }
@@ -34,7 +37,7 @@ pub struct HarmonicLoad {
 impl HarmonicLoad {
     /// α(x′) [m/N] at `x` = x′ [m], positive ahead of the load.
     pub fn rail(&self, x: f64) -> Complex64 {
-        self.waves.at(x)
+        self.waves.at(x) + self.tail.at(x)
     }
 }
 
@@ -49,9 +52,12 @@ impl TrackOnFoundation<'_> {
     pub fn harmonic(&self, omega: f64, speed: f64, reach: f64) -> Result<HarmonicLoad, InteractionError> {
         let drive = Drive { omega, speed };
         let line = self.harmonic_line(drive)?;
+        let tail = self.tail(drive);
+        // of one side, of both
+        let near = TAU * tail.at(0.0) * if speed == 0.0 { 0.5 } else { 1.0 };
         let mut rail = |beta: f64| {
             let u = self.stack.respond(beta, drive.at(beta), line.stiffness(beta));
-            u.rail * sinc(beta * self.half_length)
+            u.rail * sinc(beta * self.half_length) - tail.of(beta)
         };
         // panels: from the origin outward, finer than fifteen nodes can follow e^{iβx′}
         let widest = 14.0 / reach.max(1.0);
@@ -71,7 +77,7 @@ impl TrackOnFoundation<'_> {
                 integral.add(&mut rail, &ends);
                 (from, step) = (to, 1.5 * step);
                 let rest = rail(side * from).norm() * from / 3.0;
-                let allowed = 0.3 * ACCURACY * integral.value().norm();
+                let allowed = 0.3 * ACCURACY * (integral.value() + near).norm();
                 if rest < allowed {
                     break;
                 }
@@ -83,8 +89,8 @@ impl TrackOnFoundation<'_> {
             }
         }
         let tolerance = Tolerance { relative: 0.5 * ACCURACY, absolute: 0.0, max_count: MAX_COUNT };
-        let estimate = integral.refine(&mut rail, Complex64::ZERO, tolerance);
-        let error = estimate.error / estimate.value.norm();
+        let estimate = integral.refine(&mut rail, near, tolerance);
+        let error = estimate.error / (estimate.value + near).norm();
         if !estimate.converged && (error.is_nan() || error > 1e-2) {
             return Err(InteractionError::Diverges { speed, error });
         }
@@ -92,6 +98,7 @@ impl TrackOnFoundation<'_> {
         Ok(HarmonicLoad {
             // standing, it is even in β
             waves: if speed == 0.0 { waves.mirrored() } else { waves },
+            tail,
             worst: estimate.miss(0.5 * ACCURACY).max(left).max(line.worst),
         })
     }

@@ -9,6 +9,7 @@ mod harmonic_load;
 mod moving_load;
 pub mod periodic;
 mod receptance;
+mod tail;
 mod track_on_foundation;
 mod waves;
 

@@ -7,7 +7,8 @@
 //! The integral is done once by adaptive panels; the same nodes then serve every x′, every member and, by
 //! superposition, every axle. There is no period and no wrap-around.
 
-use super::drive::Line;
+use super::drive::{Drive, Line};
+use super::tail::Tail;
 use super::track_on_foundation::{ACCURACY, BETA_MIN, InteractionError, TrackOnFoundation};
 use super::waves::Waves;
 use crate::math::quadrature::{Adaptive, Tolerance};
@@ -27,6 +28,8 @@ pub struct MovingLoad {
     /// ũ/π of rail and base [m/N].
     rail: Waves,
     base: Waves,
+    /// What of the rail is not in its waves.
+    tail: Tail,
     /// Error over what was allowed, where it is largest: at most 1 where the accuracy was reached.
     pub worst: f64,
     /// Evaluations of the ground, bounded however little it damps: where that cut the work short, `worst` is above 1.
@@ -90,11 +93,12 @@ impl TrackOnFoundation<'_> {
         let beta_max = spectrum.beta_max;
         let points = panels(beta_max, reach);
         let mut integral = Adaptive::new();
-        let mut integrand = |beta: f64| spectrum.at(beta).rail;
+        let tail = self.tail(Drive { omega: 0.0, speed });
+        let mut integrand = |beta: f64| spectrum.at(beta).rail - tail.of(beta);
         integral.add(&mut integrand, &points);
         let tolerance = Tolerance { relative: ACCURACY, absolute: 0.0, max_count: MAX_COUNT };
-        let estimate = integral.refine(&mut integrand, Complex64::ZERO, tolerance);
-        let error = estimate.error / estimate.value.norm();
+        let estimate = integral.refine(&mut integrand, PI * tail.at(0.0), tolerance);
+        let error = estimate.error / (estimate.value + PI * tail.at(0.0)).norm();
         if !estimate.converged && (error.is_nan() || error > 1e-3) {
             return Err(InteractionError::Diverges { speed, error });
         }
@@ -102,6 +106,7 @@ impl TrackOnFoundation<'_> {
         Ok(MovingLoad {
             speed,
             rail: Waves::new(&rule, 1.0 / PI, |_, rail| rail),
+            tail,
             base: Waves::new(&rule, 1.0 / PI, |beta, _| spectrum.at(beta).base),
             worst: spectrum.worst().max(estimate.miss(ACCURACY)),
             count: spectrum.line.count,
@@ -166,12 +171,16 @@ impl MovingLoad {
 
     /// Rail displacement per unit load at `x` = x′ [m], positive ahead of the load [m/N].
     pub fn rail(&self, x: f64) -> f64 {
-        self.rail.at(x).re
+        self.rail.at(x).re + self.tail.at(x).re
     }
 
     /// The rail alone at `count` positions from `from` in steps of `step` [m].
     pub fn rail_shape(&self, from: f64, step: f64, count: usize) -> Vec<f64> {
-        self.rail.shape(from, step, count)
+        let mut shape = self.rail.shape(from, step, count);
+        if !self.tail.is_none() {
+            shape.iter_mut().enumerate().for_each(|(i, w)| *w += self.tail.at(from + step * i as f64).re);
+        }
+        shape
     }
 
     /// Rail and base at `count` positions from `from` in steps of `step` [m].

@@ -1,5 +1,7 @@
 //! A track on a foundation, and how far its answer to a moving load reaches.
 
+use super::Drive;
+use super::tail::Tail;
 use crate::foundation::{Foundation, FoundationError};
 use crate::track::Stack;
 use num_complex::Complex64;
@@ -87,7 +89,7 @@ impl<'a> TrackOnFoundation<'a> {
         // in steps of ln ω that are the same at all speeds, so that foundations may keep what is dear at each ω
         const STEP: f64 = 0.25;
         let shift = if speed == 0.0 { 0.0 } else { speed.abs().ln() };
-        let enough = self.enough();
+        let (enough, tail) = (self.enough(), self.tail(Drive { omega: 0.0, speed }));
         let (mut sum, mut stiffness) = (0.0, Complex64::ONE);
         // at an antiresonance of what lies below, rail and foundation are quiet for a moment: the first of so many quiet steps in a row
         let (mut unfelt, mut faded) = (Quiet::default(), Quiet::default());
@@ -101,7 +103,7 @@ impl<'a> TrackOnFoundation<'a> {
             // the envelope of the load's spectrum, not its zeros
             let load = (1.0 + (beta * self.half_length).powi(2)).sqrt().recip();
             let response = self.stack.respond(beta, omega, stiffness);
-            let u = response.rail.norm() * load;
+            let u = (response.rail - tail.of(beta)).norm() * load;
             sum += u * beta * STEP;
             // what the foundation adds to the rail's deflection, q²/k, q the force handed down
             let added = response.force.norm_sqr() / stiffness.norm();
@@ -114,6 +116,11 @@ impl<'a> TrackOnFoundation<'a> {
             }
             step += 1.0;
         }
+    }
+
+    /// What falls as β⁻² of a rail that shears under a point.
+    pub(super) fn tail(&self, drive: Drive) -> Tail {
+        Tail::of_rail(self.stack, drive)
     }
 
     /// A wavenumber [rad/m] at which every load has faded or will not.

@@ -46,6 +46,16 @@ pub(super) fn landmark_answers(landmarks: &[(Landmark, f64)]) -> Vec<Answer> {
         .collect()
 }
 
+/// Ranges without a wave as answers.
+pub(super) fn stop_band_answers(bands: &[(f64, f64)]) -> Vec<Answer> {
+    let one = |(i, (from, to)): (usize, &(f64, f64))| {
+        let what = format!("Stop band number {} of the track without loss: no wave travels", i + 1);
+        let shown = format!("{from:.1} to {to:.1} Hz");
+        Answer::new(&format!("stop_band_{}_to", i + 1), what, *to, "Hz", shown)
+    };
+    bands.iter().enumerate().map(one).collect()
+}
+
 /// Landmarks as vertical marks of a picture; of the half waves between supports the first.
 pub(super) fn marks(landmarks: &[(Landmark, f64)]) -> Vec<(f64, String)> {
     let first = landmarks.iter().position(|mark| mark.0 == Landmark::PinnedPinned);

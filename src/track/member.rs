@@ -173,6 +173,15 @@ impl Member {
         Complex64::new(1.0, self.loss_factor * sign(omega) + omega * self.rayleigh.of_stiffness)
     }
 
+    /// lim β²ũ [m/N] = 1/(κGA − mv²), and √(κGA/EI) [rad/m], of a beam that shears under a load of `omega` [rad/s] at `speed` v [m/s],
+    /// with its loss where that stands; None of others.
+    pub fn at_short_waves(&self, omega: f64, speed: f64) -> Option<(Complex64, f64)> {
+        let loss = if speed == 0.0 { self.loss(omega) } else { Complex64::ONE };
+        let shear = 1.0 / self.shear_compliance;
+        let limit = 1.0 / (shear * loss - self.mass * speed * speed);
+        self.shears().then(|| (limit, (shear / self.bending_stiffness).sqrt()))
+    }
+
     /// Resists bending.
     pub fn bends(&self) -> bool {
         self.bending_stiffness > 0.0

@@ -7,10 +7,10 @@
 //! On springs ũ is asked at every node, with its tail at short waves taken out, and no pole is ever looked for; on layered ground it is
 //! that of [`TrackOnFoundation`], whose foundation is interpolated.
 
-use super::tail::Fitted;
 use super::uniform::Uniform;
 use crate::math::complex::reciprocal;
 use crate::math::quadrature::{Adaptive as Panels, Tolerance};
+use crate::rail::tail::Fitted;
 use crate::rail::{Answer, Drive, InteractionError, Moving, RailError, Receptance, TrackOnFoundation};
 use crate::track::Tower;
 use num_complex::Complex64;
@@ -98,8 +98,9 @@ impl OnSprings<'_> {
                 panels.add(&mut left, &ends);
             }
             (end, step) = (to, 1.5 * step);
-            rest =
-                if end < 2.0 * scale { f64::INFINITY } else { (left(end) + left(-end)).norm() * end / 3.0 };
+            // beyond β at least β⁻³ of it is left; where two powers cancel, half as far tells more
+            let beyond = |beta: f64| (left(beta) + left(-beta)).norm() * beta / 3.0;
+            rest = if end < 4.0 * scale { f64::INFINITY } else { beyond(end).max(beyond(0.5 * end) / 8.0) };
         }
         let tolerance = Tolerance { relative: ACCURACY, absolute: 0.0, max_count: MOST };
         let estimate = panels.refine(&mut left, near, tolerance);

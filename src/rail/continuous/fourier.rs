@@ -5,10 +5,10 @@
 //!
 //! Source: Eqs (33)–(38).
 
-use super::tail::Tail;
 use super::uniform::Uniform;
 use crate::math::complex::reciprocal;
 use crate::math::expression::Polynomial;
+use crate::rail::tail::Tail;
 use crate::rail::{Answer, RailError, Receptance};
 use crate::track::{Ratio, Tower};
 use num_complex::Complex64;

@@ -6,7 +6,6 @@ mod closed_form;
 mod filon;
 mod fourier;
 mod residues;
-mod tail;
 mod uniform;
 
 pub use residues::Departing;

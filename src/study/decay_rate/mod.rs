@@ -42,6 +42,8 @@ pub struct DecayRates {
     pub rail: Method,
     /// Frequencies of the track without loss that explain the curve.
     pub landmarks: Vec<(Landmark, f64)>,
+    /// Ranges [Hz] in which no wave travels without loss.
+    pub stop_bands: Vec<(f64, f64)>,
 }
 
 impl DecayRate {
@@ -69,12 +71,14 @@ impl DecayRate {
         };
         let decay = self.frequencies.par_iter().map(rate).collect::<Result<_, _>>()?;
         observer.end();
+        let highest = self.frequencies.last().copied().unwrap_or_default();
         Ok(DecayRates {
             frequencies: self.frequencies.clone(),
             decay,
             definition: self.definition,
             rail: method,
-            landmarks: railway.landmarks(self.frequencies.last().copied().unwrap_or_default()),
+            landmarks: railway.landmarks(highest),
+            stop_bands: railway.stop_bands(highest),
         })
     }
 

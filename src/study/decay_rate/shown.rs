@@ -4,7 +4,7 @@ use super::DecayRates;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
 use crate::rail::DecayRate as Definition;
-use crate::study::landmarks::{landmark_answers, marks, marks_caption};
+use crate::study::landmarks::{landmark_answers, marks, marks_caption, stop_band_answers};
 use crate::study::{Answer, Beside, Outcome};
 use ndarray::Array1;
 
@@ -47,6 +47,7 @@ impl DecayRates {
             record("largest_decay", "Largest", i);
         }
         answers.extend(landmark_answers(&self.landmarks));
+        answers.extend(stop_band_answers(&self.stop_bands));
         answers
     }
 

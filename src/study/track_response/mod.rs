@@ -6,9 +6,12 @@ mod shown;
 
 pub use over_supports::OverSupports;
 
-use super::{Beside, Outcome, StudyError};
+use super::comparison::TOLERABLE;
+use super::{Answer, Beside, Outcome, StudyError};
+use crate::concern::Concern;
 use crate::math::decimal::arithmetic;
 use crate::progress::Observer;
+use crate::rail::{Drive, Method};
 use crate::railway::Railway;
 use crate::track::Layout;
 use ndarray::Array2;
@@ -45,6 +48,41 @@ pub struct TrackResponse {
     pub frequencies: Vec<f64>,
     /// Spectra [m s] to compare with.
     pub beside: Vec<Beside>,
+    /// Another method, to be compared.
+    pub verify: Option<Method>,
+}
+
+/// What another method says to the rail.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Verified {
+    /// The other method.
+    pub method: Method,
+    /// Largest difference over the largest deflection.
+    pub difference: f64,
+}
+
+impl Verified {
+    fn answer(self) -> Answer {
+        let what =
+            format!("Largest difference of the rail by {}, of its largest deflection", self.method.name());
+        Answer::new("verified", what, self.difference, "1", format!("{:.1e}", self.difference))
+    }
+
+    fn concern(self) -> Option<Concern> {
+        // written so that NaN is one
+        let agree = self.difference <= TOLERABLE;
+        (!agree).then(|| {
+            Concern::new(
+                "methods-disagree",
+                format!(
+                    "{} differs by {:.1e} of the largest deflection",
+                    self.method.name(),
+                    self.difference
+                ),
+                "ask a third method; look for hysteretic loss under moving loads and for little damping",
+            )
+        })
+    }
 }
 
 /// Spacing of a shape [m].
@@ -63,6 +101,8 @@ pub struct TrackShapes {
     pub base: Array2<f64>,
     /// Speeds [m/s] at which the accuracy was missed, and by what factor.
     pub missed: Vec<(f64, f64)>,
+    /// What another method says.
+    pub verified: Option<Verified>,
 }
 
 impl TrackShapes {
@@ -94,6 +134,7 @@ impl TrackResponse {
             rail: Array2::zeros((self.speeds.len(), count)),
             base: Array2::zeros((self.speeds.len(), count)),
             missed: Vec::new(),
+            verified: None,
         };
         observer.begin("track response", self.speeds.len() as u64);
         for (row, &speed) in self.speeds.iter().enumerate() {
@@ -111,6 +152,7 @@ impl TrackResponse {
             observer.advance();
         }
         observer.end();
+        shapes.verified = self.verify.map(|method| verified(&shapes, railway, method)).transpose()?;
         Ok(shapes)
     }
 
@@ -124,6 +166,25 @@ impl TrackResponse {
         }
         Ok(self.solve(railway, observer)?.shown(&self.records, railway))
     }
+}
+
+/// The rail of `shapes` by another `method`.
+fn verified(shapes: &TrackShapes, railway: &Railway, method: Method) -> Result<Verified, StudyError> {
+    let (moving, train) = (railway.moving(method)?, railway.train()?);
+    let lead = train.axles()[0].position;
+    let (mut largest, mut gap) = (0.0f64, 0.0f64);
+    for (row, speed) in shapes.speeds.iter().enumerate() {
+        let mut rail = vec![0.0; shapes.x.len()];
+        for axle in train.axles() {
+            let x: Vec<f64> = shapes.x.iter().map(|x| x + axle.position - lead).collect();
+            let answers = moving.under(Drive { omega: 0.0, speed: *speed }, 0.0, &x)?;
+            rail.iter_mut().zip(answers).for_each(|(sum, a)| *sum += axle.load * a.value.re);
+        }
+        for (one, other) in shapes.rail.row(row).iter().zip(&rail) {
+            (largest, gap) = (largest.max(one.abs()), gap.max((one - other).abs()));
+        }
+    }
+    Ok(Verified { method, difference: gap / largest })
 }
 
 /// True if a record at one speed belongs to the other: within 0.1 %.

@@ -1,9 +1,9 @@
 //! How does the rail at a place move while a train passes over supports?
 
-use super::TrackResponse;
+use super::{TrackResponse, Verified};
 use crate::progress::Observer;
-use crate::rail::Drive;
 use crate::rail::periodic::{DiracComb, Passage};
+use crate::rail::{Drive, Method, Moving};
 use crate::railway::{Railway, RailwayError};
 use crate::study::StudyError;
 use crate::track::Layout;
@@ -45,6 +45,8 @@ pub struct OverSupports {
     pub spacing: f64,
     /// Error of the histories over their largest deflection, where it is largest.
     pub error: f64,
+    /// What another method says to the rail under and beside a unit load.
+    pub verified: Option<Verified>,
 }
 
 impl TrackResponse {
@@ -105,9 +107,26 @@ impl TrackResponse {
             harmonic: self.harmonic.unwrap_or(0.0),
             spacing,
             error: worst.fold(0.0, f64::max),
+            verified: self.verify.map(|method| self.verified(&comb, railway, method)).transpose()?,
             at,
             distance,
         })
+    }
+
+    /// The rail under a unit load and 1 m behind it, at four places of the bay, by another `method`.
+    fn verified(&self, comb: &DiracComb, railway: &Railway, method: Method) -> Result<Verified, StudyError> {
+        let moving = railway.moving(method)?;
+        let (mut largest, mut gap) = (0.0f64, 0.0f64);
+        for (speed, quarter) in
+            self.speeds.iter().flat_map(|speed| [0.0, 0.25, 0.5, 0.75].map(|q| (speed, q)))
+        {
+            let drive = Drive { omega: TAU * self.harmonic.unwrap_or(0.0), speed: *speed };
+            let (phase, x) = (quarter * comb.cell().spacing(), [0.0, -1.0]);
+            for (one, other) in comb.under(drive, phase, &x)?.iter().zip(moving.under(drive, phase, &x)?) {
+                (largest, gap) = (largest.max(one.value.norm()), gap.max((one.value - other.value).norm()));
+            }
+        }
+        Ok(Verified { method, difference: gap / largest })
     }
 
     /// |û(x, ω)| [m s] under the leading axle.

@@ -1,7 +1,7 @@
 //! What a reader sees of a train passing over supports: histories, harmonics, spectra.
 
 use super::over_supports::OverSupports;
-use super::tag;
+use super::{Verified, tag};
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
@@ -23,8 +23,11 @@ impl OverSupports {
                 .map(|row| self.history_figure(row))
                 .chain(spectra.map(|row| self.spectrum_figure(row, beside)))
                 .collect(),
-            answers: rows.flat_map(|row| self.answers(row)).collect(),
-            concerns: self.concern().into_iter().collect(),
+            answers: rows
+                .flat_map(|row| self.answers(row))
+                .chain(self.verified.map(Verified::answer))
+                .collect(),
+            concerns: self.concern().into_iter().chain(self.verified.and_then(Verified::concern)).collect(),
         }
     }
 

@@ -1,6 +1,6 @@
 //! What a reader sees of the shapes of a track: arrays, answers, pictures with records beside them, concerns.
 
-use super::{Record, TrackShapes, same_speed, tag};
+use super::{Record, TrackShapes, Verified, same_speed, tag};
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
@@ -20,7 +20,10 @@ impl TrackShapes {
         Outcome {
             group: self.group(records),
             figures: rows.clone().map(|row| self.figure(row, records)).collect(),
-            answers: rows.flat_map(|row| self.answers(row)).collect(),
+            answers: rows
+                .flat_map(|row| self.answers(row))
+                .chain(self.verified.map(Verified::answer))
+                .collect(),
             concerns: self.concerns(railway),
         }
     }
@@ -93,6 +96,7 @@ impl TrackShapes {
     fn concerns(&self, railway: &Railway) -> Vec<Concern> {
         let missed = missed_accuracy(&self.missed, "1e-5", (self.speeds.len(), "speeds", "m/s"));
         let fast = self.speeds.iter().filter_map(|v| outruns_waves(railway, *v));
-        missed.into_iter().chain(sinks_as_no_track_does(railway)).chain(fast).collect()
+        let disagree = self.verified.and_then(Verified::concern);
+        missed.into_iter().chain(sinks_as_no_track_does(railway)).chain(fast).chain(disagree).collect()
     }
 }

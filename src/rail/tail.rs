@@ -1,6 +1,7 @@
 //! What ũ(β) becomes at short waves, taken out of quadratures and put back in closed form.
 
-use crate::track::Ratio;
+use super::Drive;
+use crate::track::{Ratio, Stack};
 use num_complex::Complex64;
 
 /// Terms taken out.
@@ -43,6 +44,20 @@ impl Tail {
             terms[k - 1] = (at(&n, i) - known) / d[0];
         }
         Self { terms, scale }
+    }
+
+    /// Of the rail of `stack` alone under a point: c₁ of one that shears, 1/(κGA − mv²); of others, and where v ≠ 0 of its loss, nothing.
+    pub fn of_rail(stack: &Stack, drive: Drive) -> Self {
+        let mut terms = [Complex64::ZERO; TERMS];
+        let shear = stack.members().first().and_then(|rail| rail.at_short_waves(drive.omega, drive.speed));
+        let (c, scale) = shear.unwrap_or((Complex64::ZERO, 1.0));
+        terms[0] = c;
+        Self { terms, scale }
+    }
+
+    /// Whether nothing is taken out.
+    pub fn is_none(&self) -> bool {
+        self.terms.iter().all(|c| *c == Complex64::ZERO)
     }
 
     /// At wavenumber `beta` [rad/m], [m per N/m].
