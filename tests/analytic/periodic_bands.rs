@@ -32,16 +32,16 @@ fn pinned_pinned_frequencies_are_closed_forms() {
         // measured 1e-13, the digits of the file
         assert!((found / exact - 1.0).abs() < 1e-12, "{beam}: {found} {exact}");
     }
-    let (ei, m, ga, rho_i) = (6.38e6, 60.23, 0.4 * 5.91e8, 0.239);
-    for n in 1..4 {
+    let (ei, m, ga, rho_i): (f64, f64, f64, f64) = (6.38e6, 60.23, 0.4 * 5.91e8, 0.239);
+    for n in 1..4u32 {
         let q = (f64::from(n) * PI / 0.6).powi(2);
-        let eb = q * (ei / m as f64).sqrt() / TAU;
-        assert!((pinned_pinned(&rail("EB", 0.0), 0.6, n as u32).unwrap() / eb - 1.0).abs() < 1e-13);
+        let eb = q * (ei / m).sqrt() / TAU;
+        assert!((pinned_pinned(&rail("EB", 0.0), 0.6, n).unwrap() / eb - 1.0).abs() < 1e-13);
         // a x² − b x + q² = 0, x = ω², its smaller root
         let (a, b) = (rho_i * m / (ei * ga), m / ei + q * m / ga + q * rho_i / ei);
         let x: f64 = 2.0 * q * q / (b + (b * b - 4.0 * a * q * q).sqrt());
         let t = x.sqrt() / TAU;
-        assert!((pinned_pinned(&rail("T", 0.0), 0.6, n as u32).unwrap() / t - 1.0).abs() < 1e-13);
+        assert!((pinned_pinned(&rail("T", 0.0), 0.6, n).unwrap() / t - 1.0).abs() < 1e-13);
     }
 }
 

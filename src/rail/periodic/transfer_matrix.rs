@@ -94,9 +94,10 @@ impl TransferMatrix<'_> {
     fn fields(&self, omega: f64, stiffness: Complex64, places: &[(i64, f64, f64)]) -> Option<Vec<Answer>> {
         let fields = Fields::new(self.cell.rail(), omega)?;
         let length = self.cell.spacing();
-        // of waves long beside a bay the states are nearly one
+        // of waves long beside a bay the states are nearly one; hard supports are large numbers among small ones
         let phase = fields.beta[1].norm() * length;
-        let lost = 1e-14 * ((2.0 * fields.beta[1].im.abs() * length).exp() + phase.powi(-3));
+        let hard = fields.across(stiffness)[(2, 0)].norm();
+        let lost = 1e-14 * ((2.0 * fields.beta[1].im.abs() * length).exp() + phase.powi(-3) + hard);
         places
             .iter()
             .map(|&(bays, high, low)| {
@@ -133,7 +134,10 @@ impl TransferMatrix<'_> {
                     fields.over(high) * fields.across(stiffness) * fields.over(length - low) * state
                 };
                 let value = state[0] * fields.scale[0];
-                Some(Answer { value, error: own.norm() * lost * (1.0 + bays as f64) })
+                // λ and 1/λ, or two waves, that are nearly one
+                let apart = pairs.map(|lambda| (1.0 - lambda * lambda).norm()).into_iter();
+                let nearest = apart.chain([(a - b).norm()]).fold(1.0, f64::min);
+                Some(Answer { value, error: own.norm() * lost / nearest * (1.0 + bays as f64) })
             })
             .collect()
     }
