@@ -6,6 +6,7 @@ mod common;
 mod beam;
 mod column;
 mod continuous;
+mod decay_rates;
 mod dispersion;
 mod half_space;
 mod moving_point;
