@@ -429,12 +429,21 @@ fn rails_are_asked_only_by_methods_that_know_them() {
     let rates = "[decay_rate]\nfrequencies = [100.0]\n";
     let asked = "[receptance]\nfrequencies = [100.0]\n";
     for (text, key, said) in [
-        (format!("{sleepers}{asked}verify = \"fourier\"\n"), "receptance", "floquet, dirac-comb"),
-        (format!("{sleepers}{asked}verify = \"floquet\"\n"), "receptance", "verify with another"),
-        (format!("{sleepers}{rates}verify = \"fourier\"\n"), "decay_rate", "floquet, dirac-comb"),
-        (format!("{sleepers}{rates}verify = \"floquet\"\n"), "decay_rate", "verify with another"),
-        (format!("{sleepers}{rates}verify = \"dirac-comb\"\n"), "decay_rate", "methods that do: floquet"),
-        (format!("{sleepers}{rates}method = \"en15461\"\nverify = \"filon\"\n"), "decay_rate", "dirac-comb"),
+        (format!("{sleepers}{asked}verify = \"fourier\"\n"), "receptance.verify", "floquet, dirac-comb"),
+        (format!("{sleepers}{asked}verify = \"floquet\"\n"), "receptance.verify", "verify with another"),
+        (format!("{sleepers}{rates}verify = \"fourier\"\n"), "decay_rate.verify", "floquet, dirac-comb"),
+        (format!("{sleepers}{rates}verify = \"floquet\"\n"), "decay_rate.verify", "verify with another"),
+        (
+            format!("{sleepers}{rates}verify = \"dirac-comb\"\n"),
+            "decay_rate.verify",
+            "methods that do: floquet",
+        ),
+        (
+            format!("{sleepers}{rates}method = \"en15461\"\nverify = \"filon\"\n"),
+            "decay_rate.verify",
+            "dirac-comb",
+        ),
+        (format!("{sleepers}{asked}method = \"filon\"\n"), "receptance.method", "floquet, dirac-comb"),
         (format!("{sleepers}{asked}from = 1e6\n"), "receptance.from", "within 10 km"),
         (
             format!("{head}{lasting}{train}[critical_speed]\nspeeds = [20.0, 40.0]\n"),

@@ -13,7 +13,7 @@ use crate::concern::Concern;
 use crate::foundation::FoundationModel;
 use crate::railway::{Contact, Ground, Railway, Support};
 use crate::soil::{Profile, Solver};
-use crate::study::Study;
+use crate::study::{Study, StudyError};
 use crate::track::{Layout, Stack};
 use crate::vehicle::Train;
 use std::cell::RefCell;
@@ -254,7 +254,11 @@ impl Case {
         if let Some((railway, _)) = &railways {
             for study in &studies {
                 let lacks = study.check(railway).err().unwrap_or_default();
-                let faults = lacks.into_iter().map(|e| loader.fault(Finding::new(study.name(), e)));
+                let at = |error: &StudyError| match study.key_of(error) {
+                    "" => study.name().to_owned(),
+                    key => format!("{}.{key}", study.name()),
+                };
+                let faults = lacks.into_iter().map(|e| loader.fault(Finding::new(at(&e), e)));
                 loader.faults.borrow_mut().extend(faults);
             }
         }

@@ -188,17 +188,44 @@ impl Study {
         }
     }
 
+    /// Key of its table that an `error` is about, empty for the table itself.
+    pub fn key_of(&self, error: &StudyError) -> &'static str {
+        let named = match error {
+            StudyError::Railway(RailwayError::Rail(RailError::Method { method, .. })) => *method,
+            StudyError::Railway(RailwayError::Itself { method }) => *method,
+            _ => return "",
+        };
+        let (method, verify) = match self {
+            Self::Receptance(study) => ((study.method, "method"), study.verify),
+            Self::DecayRate(study) => ((study.rail, "rail"), study.verify),
+            Self::TrackResponse(study) => ((None, ""), study.verify),
+            _ => return "",
+        };
+        let is = |asked: Option<Method>| asked.is_some_and(|asked| asked.name() == named);
+        if is(verify) {
+            "verify"
+        } else if is(method.0) {
+            method.1
+        } else {
+            ""
+        }
+    }
+
     /// What `railway` lacks for an answer.
     fn lacks(&self, railway: &Railway) -> Vec<RailwayError> {
         let (ground, track, train) = (railway.ground(), railway.track().err(), railway.train().err());
         let [first, second] = match self {
             Self::CriticalSpeed(_) => [track, train],
-            Self::TrackResponse(_) if railway.on_supports() => [railway.foundation().err(), train],
-            Self::TrackResponse(_) => [track, train],
-            Self::Transition(_) => [(!railway.has_sections()).then_some(RailwayError::OneSection), None],
+            Self::TrackResponse(study) => {
+                let rail = if railway.on_supports() { railway.foundation().err() } else { track };
+                let verify = || study.verify.and_then(|method| railway.moving(method).err());
+                [rail.or_else(verify), train]
+            }
+            Self::Transition(_) if !railway.has_sections() => [Some(RailwayError::OneSection), None],
+            Self::Transition(_) => [railway.receptance(Method::Coupled).err(), None],
             Self::Receptance(study) => [study.lacks(railway), None],
             Self::DecayRate(study) => [study.lacks(railway), None],
-            Self::Contour(_) => [ground.and_then(Ground::contact).err(), train],
+            Self::Contour(_) => [ground.and_then(Ground::contact).err().or(railway.stack().err()), train],
             Self::FreeField(_) => [ground.err().or(track), train],
             Self::EquivalentStiffness(_) => [railway.foundation().err(), None],
             Self::Dispersion(_) | Self::SurfaceCompliance(_) => [ground.err(), None],
