@@ -20,6 +20,9 @@ const CASES: &[&str] = &[
     "lamprea2022_slab",
     "mezher2016_profile3_ballasted",
     "mezher2016_profile3_slab",
+    "lamprea2022_noise_discrete_2layer",
+    "lamprea2022_moving_load_over_supports",
+    "lamprea2022_transition",
 ];
 
 /// Relative change that is noticed. Results do not depend on the number of threads; 1e-6 leaves room for another
