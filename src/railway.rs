@@ -389,6 +389,9 @@ pub enum RailwayError {
         /// Its name.
         method: &'static str,
     },
+    /// Loads that stand over supports.
+    #[error("a load at rest over supports is a question of [receptance]: give speeds above zero")]
+    AtRest,
     /// Sections are needed.
     #[error("it needs a track that changes: give two or more [[track.section]], and support.spacing")]
     OneSection,

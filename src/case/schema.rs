@@ -355,6 +355,8 @@ pub struct TransitionInput {
     pub x: Option<SpanInput>,
     /// Spacing [m], 0.05 by default.
     pub spacing: Option<f64>,
+    /// Another method for the receptances along the rail, whose difference is reported.
+    pub verify: Option<Method>,
 }
 
 /// `[decay_rate]`

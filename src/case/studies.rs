@@ -288,7 +288,15 @@ fn transition(input: &TransitionInput) -> Result<Transition, Finding> {
     }
     let from = input.from.unwrap_or(-0.5);
     place(from, "transition.from")?;
-    Ok(Transition { frequencies, along: along.transpose()?.unwrap_or_default(), from, x, spacing })
+    let along = along.transpose()?.unwrap_or_default();
+    if input.verify.is_some() && along.is_empty() {
+        return Err(Finding::new(
+            "transition.verify",
+            "it is the receptances along the rail that are verified",
+        )
+        .help("add transition.along = [frequencies], or remove it"));
+    }
+    Ok(Transition { frequencies, along, from, x, spacing, verify: input.verify })
 }
 
 /// Farthest receiver of a free field [m].

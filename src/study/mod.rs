@@ -36,6 +36,7 @@ use crate::progress::Observer;
 use crate::rail::{InteractionError, Method, RailError};
 use crate::railway::{Ground, Railway, RailwayError};
 use crate::soil::SoilError;
+use comparison::TOLERABLE;
 use thiserror::Error;
 
 /// One number a reader came for.
@@ -76,6 +77,44 @@ impl Beside {
     fn series(&self, scale: f64) -> Series {
         let y = self.values.iter().map(|value| scale * value).collect();
         Series { name: self.label.clone(), x: self.x.clone(), y, stroke: Stroke::Points }
+    }
+}
+
+/// What another method says to the rail.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verified {
+    /// The other method.
+    pub method: Method,
+    /// Largest difference over the largest value, or why there is none.
+    pub difference: Result<f64, Box<StudyError>>,
+}
+
+impl Verified {
+    fn new(method: Method, difference: Result<f64, StudyError>) -> Self {
+        Self { method, difference: difference.map_err(Box::new) }
+    }
+
+    fn answer(&self) -> Option<Answer> {
+        let difference = *self.difference.as_ref().ok().filter(|difference| difference.is_finite())?;
+        let what = format!("Largest difference of the rail by {}, of the largest", self.method.name());
+        Some(Answer::new("verified", what, difference, "1", format!("{difference:.1e}")))
+    }
+
+    fn concern(&self) -> Option<Concern> {
+        let name = self.method.name();
+        match &self.difference {
+            Ok(difference) if *difference <= TOLERABLE => None,
+            Ok(difference) => Some(Concern::new(
+                "methods-disagree",
+                format!("{name} differs by {difference:.1e} of the largest"),
+                "ask a third method; look for hysteretic loss under moving loads and for little damping",
+            )),
+            Err(error) => Some(Concern::new(
+                "not-verified",
+                format!("by {name}: {error}"),
+                "verify with another method, or at other frequencies",
+            )),
+        }
     }
 }
 
@@ -193,12 +232,16 @@ impl Study {
         let named = match error {
             StudyError::Railway(RailwayError::Rail(RailError::Method { method, .. })) => *method,
             StudyError::Railway(RailwayError::Itself { method }) => *method,
+            StudyError::Railway(RailwayError::AtRest | RailwayError::Rail(RailError::TooFast { .. })) => {
+                return "speeds";
+            }
             _ => return "",
         };
         let (method, verify) = match self {
             Self::Receptance(study) => ((study.method, "method"), study.verify),
             Self::DecayRate(study) => ((study.rail, "rail"), study.verify),
             Self::TrackResponse(study) => ((None, ""), study.verify),
+            Self::Transition(study) => ((None, ""), study.verify),
             _ => return "",
         };
         let is = |asked: Option<Method>| asked.is_some_and(|asked| asked.name() == named);
@@ -219,10 +262,13 @@ impl Study {
             Self::TrackResponse(study) => {
                 let rail = if railway.on_supports() { railway.foundation().err() } else { track };
                 let verify = || study.verify.and_then(|method| railway.moving(method).err());
-                [rail.or_else(verify), train]
+                [rail.or_else(|| study.speeds_lack(railway)).or_else(verify), train]
             }
             Self::Transition(_) if !railway.has_sections() => [Some(RailwayError::OneSection), None],
-            Self::Transition(_) => [railway.receptance(Method::Coupled).err(), None],
+            Self::Transition(study) => {
+                let methods = std::iter::once(Method::Coupled).chain(study.verify);
+                [methods.filter_map(|method| railway.receptance(method).err()).next(), None]
+            }
             Self::Receptance(study) => [study.lacks(railway), None],
             Self::DecayRate(study) => [study.lacks(railway), None],
             Self::Contour(_) => [ground.and_then(Ground::contact).err().or(railway.stack().err()), train],

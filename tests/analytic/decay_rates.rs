@@ -37,7 +37,7 @@ fn the_integral_is_that_of_two_waves() {
         worst = worst.max((found / known - 1.0).abs());
     }
     println!("exact: {worst:.1e}");
-    // MEASURED
+    // measured 2.7e-12
     assert!(worst < 1e-8, "{worst:e}");
 }
 

@@ -14,6 +14,7 @@ mod passage;
 mod periodic;
 mod periodic_moving;
 mod receptance;
+mod sections;
 mod sleepers_on_ground;
 mod standing_field;
 mod surface_compliance;

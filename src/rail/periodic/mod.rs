@@ -10,6 +10,7 @@ mod moving_green;
 mod passing;
 mod point_source;
 mod section;
+mod section_forces;
 mod span;
 mod tail;
 mod transfer_matrix;
@@ -22,6 +23,7 @@ pub use landmarks::{Band, Landmark, Undamped, pinned_pinned};
 pub use moving_green::MovingGreen;
 pub use passing::Passage;
 pub use point_source::PointSource;
+pub use section_forces::SectionForces;
 pub use transfer_matrix::TransferMatrix;
 
 use crate::foundation::Foundation;
@@ -62,7 +64,8 @@ pub(in crate::rail) fn over_sections<'a>(
 ) -> Result<Box<dyn Receptance + 'a>, RailError> {
     match method {
         Method::Coupled => Ok(Box::new(Coupled::new(sections, on)?)),
-        _ => refused(method, "sections one after another", "coupled"),
+        Method::PointSource => Ok(Box::new(SectionForces::new(sections, on)?)),
+        _ => refused(method, "sections one after another", "coupled, point-source"),
     }
 }
 

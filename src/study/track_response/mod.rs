@@ -6,9 +6,7 @@ mod shown;
 
 pub use over_supports::OverSupports;
 
-use super::comparison::TOLERABLE;
-use super::{Answer, Beside, Outcome, StudyError};
-use crate::concern::Concern;
+use super::{Beside, Outcome, StudyError, Verified};
 use crate::math::decimal::arithmetic;
 use crate::progress::Observer;
 use crate::rail::{Drive, Method};
@@ -50,39 +48,6 @@ pub struct TrackResponse {
     pub beside: Vec<Beside>,
     /// Another method, to be compared.
     pub verify: Option<Method>,
-}
-
-/// What another method says to the rail.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Verified {
-    /// The other method.
-    pub method: Method,
-    /// Largest difference over the largest deflection.
-    pub difference: f64,
-}
-
-impl Verified {
-    fn answer(self) -> Answer {
-        let what =
-            format!("Largest difference of the rail by {}, of its largest deflection", self.method.name());
-        Answer::new("verified", what, self.difference, "1", format!("{:.1e}", self.difference))
-    }
-
-    fn concern(self) -> Option<Concern> {
-        // written so that NaN is one
-        let agree = self.difference <= TOLERABLE;
-        (!agree).then(|| {
-            Concern::new(
-                "methods-disagree",
-                format!(
-                    "{} differs by {:.1e} of the largest deflection",
-                    self.method.name(),
-                    self.difference
-                ),
-                "ask a third method; look for hysteretic loss under moving loads and for little damping",
-            )
-        })
-    }
 }
 
 /// Spacing of a shape [m].
@@ -152,7 +117,7 @@ impl TrackResponse {
             observer.advance();
         }
         observer.end();
-        shapes.verified = self.verify.map(|method| verified(&shapes, railway, method)).transpose()?;
+        shapes.verified = self.verify.map(|method| Verified::new(method, verified(&shapes, railway, method)));
         Ok(shapes)
     }
 
@@ -169,7 +134,7 @@ impl TrackResponse {
 }
 
 /// The rail of `shapes` by another `method`.
-fn verified(shapes: &TrackShapes, railway: &Railway, method: Method) -> Result<Verified, StudyError> {
+fn verified(shapes: &TrackShapes, railway: &Railway, method: Method) -> Result<f64, StudyError> {
     let (moving, train) = (railway.moving(method)?, railway.train()?);
     let lead = train.axles()[0].position;
     let (mut largest, mut gap) = (0.0f64, 0.0f64);
@@ -184,7 +149,7 @@ fn verified(shapes: &TrackShapes, railway: &Railway, method: Method) -> Result<V
             (largest, gap) = (largest.max(one.abs()), gap.max((one - other).abs()));
         }
     }
-    Ok(Verified { method, difference: gap / largest })
+    Ok(gap / largest)
 }
 
 /// True if a record at one speed belongs to the other: within 0.1 %.

@@ -1,11 +1,11 @@
 //! How does the rail at a place move while a train passes over supports?
 
-use super::{TrackResponse, Verified};
+use super::TrackResponse;
 use crate::progress::Observer;
 use crate::rail::periodic::{DiracComb, Passage};
 use crate::rail::{Drive, Method, Moving};
 use crate::railway::{Railway, RailwayError};
-use crate::study::StudyError;
+use crate::study::{StudyError, Verified};
 use crate::track::Layout;
 use crate::vehicle::Train;
 use ndarray::{Array2, Array3};
@@ -50,6 +50,18 @@ pub struct OverSupports {
 }
 
 impl TrackResponse {
+    /// Speeds that have no answer over supports: 0, and those of the rail's shear waves and above.
+    pub(in crate::study) fn speeds_lack(&self, railway: &Railway) -> Option<RailwayError> {
+        let Layout::Discrete(supports) = railway.layout() else { return None };
+        if self.speeds.contains(&0.0) {
+            return Some(RailwayError::AtRest);
+        }
+        let comb = railway.foundation().ok().and_then(|on| DiracComb::new(supports, on).ok())?;
+        let omega = TAU * self.harmonic.unwrap_or(0.0);
+        let fault = |speed: &f64| comb.spectrum(Drive { omega, speed: *speed }, 0.0, omega + TAU).err();
+        self.speeds.iter().find_map(fault).map(RailwayError::from)
+    }
+
     /// Histories of the rail at places of the bay, constant axle loads or such that oscillate, P cos ω̃t.
     ///
     /// Accuracy: 1e-8 of the largest deflection for Euler–Bernoulli rails on viscous supports (test `analytic::periodic_moving`).
@@ -107,14 +119,14 @@ impl TrackResponse {
             harmonic: self.harmonic.unwrap_or(0.0),
             spacing,
             error: worst.fold(0.0, f64::max),
-            verified: self.verify.map(|method| self.verified(&comb, railway, method)).transpose()?,
+            verified: self.verify.map(|method| Verified::new(method, self.verified(&comb, railway, method))),
             at,
             distance,
         })
     }
 
     /// The rail under a unit load and 1 m behind it, at four places of the bay, by another `method`.
-    fn verified(&self, comb: &DiracComb, railway: &Railway, method: Method) -> Result<Verified, StudyError> {
+    fn verified(&self, comb: &DiracComb, railway: &Railway, method: Method) -> Result<f64, StudyError> {
         let moving = railway.moving(method)?;
         let (mut largest, mut gap) = (0.0f64, 0.0f64);
         for (speed, quarter) in
@@ -126,7 +138,7 @@ impl TrackResponse {
                 (largest, gap) = (largest.max(one.value.norm()), gap.max((one.value - other.value).norm()));
             }
         }
-        Ok(Verified { method, difference: gap / largest })
+        Ok(gap / largest)
     }
 
     /// |û(x, ω)| [m s] under the leading axle.

@@ -1,11 +1,11 @@
 //! What a reader sees of a train passing over supports: histories, harmonics, spectra.
 
 use super::over_supports::OverSupports;
-use super::{Verified, tag};
+use super::tag;
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
-use crate::study::{Answer, Beside, Outcome, speed_text, trimmed};
+use crate::study::{Answer, Beside, Outcome, Verified, speed_text, trimmed};
 use ndarray::{Array2, Axis};
 
 /// Error of histories, relative to the largest deflection, that is no concern.
@@ -25,9 +25,13 @@ impl OverSupports {
                 .collect(),
             answers: rows
                 .flat_map(|row| self.answers(row))
-                .chain(self.verified.map(Verified::answer))
+                .chain(self.verified.as_ref().and_then(Verified::answer))
                 .collect(),
-            concerns: self.concern().into_iter().chain(self.verified.and_then(Verified::concern)).collect(),
+            concerns: self
+                .concern()
+                .into_iter()
+                .chain(self.verified.as_ref().and_then(Verified::concern))
+                .collect(),
         }
     }
 

@@ -1,12 +1,12 @@
 //! What a reader sees of the shapes of a track: arrays, answers, pictures with records beside them, concerns.
 
-use super::{Record, TrackShapes, Verified, same_speed, tag};
+use super::{Record, TrackShapes, same_speed, tag};
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
 use crate::railway::Railway;
 use crate::study::doubts::{missed_accuracy, outruns_waves, sinks_as_no_track_does};
-use crate::study::{Answer, Outcome, speed_text};
+use crate::study::{Answer, Outcome, Verified, speed_text};
 use ndarray::Array1;
 
 fn millimetres<'a>(values: impl IntoIterator<Item = &'a f64>) -> Vec<f64> {
@@ -22,7 +22,7 @@ impl TrackShapes {
             figures: rows.clone().map(|row| self.figure(row, records)).collect(),
             answers: rows
                 .flat_map(|row| self.answers(row))
-                .chain(self.verified.map(Verified::answer))
+                .chain(self.verified.as_ref().and_then(Verified::answer))
                 .collect(),
             concerns: self.concerns(railway),
         }
@@ -96,7 +96,7 @@ impl TrackShapes {
     fn concerns(&self, railway: &Railway) -> Vec<Concern> {
         let missed = missed_accuracy(&self.missed, "1e-5", (self.speeds.len(), "speeds", "m/s"));
         let fast = self.speeds.iter().filter_map(|v| outruns_waves(railway, *v));
-        let disagree = self.verified.and_then(Verified::concern);
+        let disagree = self.verified.as_ref().and_then(Verified::concern);
         missed.into_iter().chain(sinks_as_no_track_does(railway)).chain(fast).chain(disagree).collect()
     }
 }

@@ -2,11 +2,11 @@
 
 mod shown;
 
-use super::{Outcome, StudyError};
+use super::{Outcome, StudyError, Verified};
 use crate::math::decimal::arithmetic;
 use crate::progress::Observer;
 use crate::rail::periodic::Coupled;
-use crate::rail::{RailError, Receptance};
+use crate::rail::{Answer, Method, RailError, Receptance};
 use crate::railway::{Railway, RailwayError};
 use crate::track::Layout;
 use ndarray::Array2;
@@ -27,6 +27,8 @@ pub struct Transition {
     pub x: (f64, f64),
     /// Spacing of x [m].
     pub spacing: f64,
+    /// Another method for the receptances along the rail, to be compared.
+    pub verify: Option<Method>,
 }
 
 /// What waves and receptances do at the changes.
@@ -51,6 +53,8 @@ pub struct Scattered {
     pub x: Vec<f64>,
     /// α(x, from) [m/N], along × x.
     pub rail: Array2<Complex64>,
+    /// What another method says to it.
+    pub verified: Option<Verified>,
 }
 
 impl Transition {
@@ -85,6 +89,8 @@ impl Transition {
         });
         let receptances = receptances.collect::<Result<Vec<_>, _>>()?;
         observer.end();
+        let verified =
+            self.verify.map(|method| Verified::new(method, self.verified(&receptances, &x, railway, method)));
         let mut changes = vec![0.0];
         for section in &sections[1..sections.len() - 1] {
             let length = section.bays.unwrap_or(0) as f64 * section.supports.spacing;
@@ -100,7 +106,27 @@ impl Transition {
             from: self.from,
             rail: Array2::from_shape_fn((receptances.len(), x.len()), |(f, i)| receptances[f][i].value),
             x,
+            verified,
         })
+    }
+
+    /// The receptances along the rail by another `method`, relative to the largest at each frequency.
+    fn verified(
+        &self,
+        receptances: &[Vec<Answer>],
+        x: &[f64],
+        railway: &Railway,
+        method: Method,
+    ) -> Result<f64, StudyError> {
+        let other = railway.receptance(method)?;
+        let mut difference = 0.0f64;
+        for (frequency, one) in self.along.iter().zip(receptances) {
+            let two = other.at(x, self.from, TAU * frequency)?;
+            let largest = one.iter().map(|a| a.value.norm()).fold(0.0, f64::max);
+            let gap = one.iter().zip(&two).map(|(a, b)| (a.value - b.value).norm()).fold(0.0, f64::max);
+            difference = difference.max(gap / largest);
+        }
+        Ok(difference)
     }
 
     /// As [`Self::solve`], shown.

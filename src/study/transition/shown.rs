@@ -4,7 +4,7 @@ use super::Scattered;
 use crate::concern::Concern;
 use crate::dataset::Group;
 use crate::figure::{Figure, LineFigure, Series, Stroke};
-use crate::study::{Answer, Outcome, trimmed};
+use crate::study::{Answer, Outcome, Verified, trimmed};
 use ndarray::Array1;
 
 /// Decay [dB] over a bay above which the power of a wave means little: it arrives nowhere.
@@ -62,14 +62,16 @@ impl Scattered {
             .filter(heard)
             .max_by(|a, b| self.reflected[*a].total_cmp(&self.reflected[*b]))
         else {
-            return Vec::new();
+            return self.verified.as_ref().and_then(Verified::answer).into_iter().collect();
         };
         let (f, share) = (self.frequencies[i], self.reflected[i]);
         let what = "Largest share of power that returns, of waves that travel farther than a bay or two";
-        vec![
+        let mut answers = vec![
             Answer::new("max_reflected", what, share, "1", format!("{:.2} % at {f:.1} Hz", 100.0 * share)),
             Answer::new("max_reflected_frequency", "Its frequency", f, "Hz", format!("{f:.1} Hz")),
-        ]
+        ];
+        answers.extend(self.verified.as_ref().and_then(Verified::answer));
+        answers
     }
 
     fn concerns(&self) -> Vec<Concern> {
@@ -87,6 +89,7 @@ impl Scattered {
                 )
             })
             .into_iter()
+            .chain(self.verified.as_ref().and_then(Verified::concern))
             .collect()
     }
 
