@@ -446,6 +446,18 @@ fn rails_are_asked_only_by_methods_that_know_them() {
         (format!("{sleepers}{asked}method = \"filon\"\n"), "receptance.method", "floquet, dirac-comb"),
         (format!("{sleepers}{asked}from = 1e6\n"), "receptance.from", "within 10 km"),
         (
+            format!("{sleepers}{train}[track_response]\nspeeds = [20.0]\nmethod = \"residues\"\n"),
+            "track_response.method",
+            "methods that do: dirac-comb",
+        ),
+        (
+            format!("{sleepers}{train}[track_response]\nspeeds = [20.0]\nverify = \"fourier\"\n"),
+            "track_response.verify",
+            "moving-green",
+        ),
+        (format!("{sleepers}{train}[track_response]\nspeeds = [0.0]\n"), "track_response.speeds", "at rest"),
+        (format!("{sleepers}[transition]\nfrequencies = [100.0]\n"), "transition", "[[track.section]]"),
+        (
             format!("{head}{lasting}{train}[critical_speed]\nspeeds = [20.0, 40.0]\n"),
             "critical_speed",
             "maxwell",

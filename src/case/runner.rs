@@ -19,6 +19,8 @@ pub struct RunOptions {
     pub out: PathBuf,
     /// Replace an existing folder.
     pub overwrite: bool,
+    /// Draw the pictures, which takes longer than most answers do.
+    pub pictures: bool,
 }
 
 /// What a run found.
@@ -67,7 +69,7 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
         outcomes.push((study.name(), outcome));
     }
     let verification = Verification::run(case, &mut outcomes, observer);
-    let drawings = draw(&mut outcomes);
+    let drawings = if options.pictures { draw(&mut outcomes) } else { Vec::new() };
     outcomes.iter_mut().for_each(|(_, outcome)| name_answers(outcome));
     let found = outcomes.iter().flat_map(|(_, o)| o.concerns.clone());
     let concerns: Vec<Concern> = case.concerns.iter().cloned().chain(found).collect();

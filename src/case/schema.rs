@@ -274,6 +274,8 @@ pub struct TrackResponseInput {
     pub measured: Vec<MeasuredInput>,
     /// Another method, whose difference is reported.
     pub verify: Option<Method>,
+    /// How the rail is asked; the best for its track by default.
+    pub method: Option<Method>,
 }
 
 /// `[[track_response.measured]]`
@@ -357,6 +359,8 @@ pub struct TransitionInput {
     pub spacing: Option<f64>,
     /// Another method for the receptances along the rail, whose difference is reported.
     pub verify: Option<Method>,
+    /// How the rail is asked; the best for its track by default.
+    pub method: Option<Method>,
 }
 
 /// `[decay_rate]`

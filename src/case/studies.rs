@@ -110,6 +110,7 @@ fn track_response(
         harmonic: input.harmonic,
         frequencies: frequencies.transpose()?.unwrap_or_default(),
         beside: spectra,
+        method: input.method,
         verify: input.verify,
     })
 }
@@ -296,7 +297,7 @@ fn transition(input: &TransitionInput) -> Result<Transition, Finding> {
         )
         .help("add transition.along = [frequencies], or remove it"));
     }
-    Ok(Transition { frequencies, along, from, x, spacing, verify: input.verify })
+    Ok(Transition { frequencies, along, from, x, spacing, method: input.method, verify: input.verify })
 }
 
 /// Farthest receiver of a free field [m].

@@ -47,6 +47,9 @@ pub struct RunArguments {
     /// Concerns about the result are failures: the results are written, the exit code is 1
     #[arg(long)]
     pub strict: bool,
+    /// Draw no pictures: numbers and the report alone, many times as quick where answers are
+    #[arg(long)]
+    pub no_pictures: bool,
     /// Replace an existing output folder
     #[arg(long)]
     pub overwrite: bool,

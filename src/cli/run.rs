@@ -78,7 +78,8 @@ pub fn run(arguments: &RunArguments) -> u8 {
     }
     let started = Instant::now();
     let bar = Bar::new();
-    let options = RunOptions { out: out.clone(), overwrite: arguments.overwrite };
+    let options =
+        RunOptions { out: out.clone(), overwrite: arguments.overwrite, pictures: !arguments.no_pictures };
     let result = run_case(&case, &options, &bar);
     bar.end();
     match result {

@@ -240,8 +240,8 @@ impl Study {
         let (method, verify) = match self {
             Self::Receptance(study) => ((study.method, "method"), study.verify),
             Self::DecayRate(study) => ((study.rail, "rail"), study.verify),
-            Self::TrackResponse(study) => ((None, ""), study.verify),
-            Self::Transition(study) => ((None, ""), study.verify),
+            Self::TrackResponse(study) => ((study.method, "method"), study.verify),
+            Self::Transition(study) => ((study.method, "method"), study.verify),
             _ => return "",
         };
         let is = |asked: Option<Method>| asked.is_some_and(|asked| asked.name() == named);
@@ -261,13 +261,18 @@ impl Study {
             Self::CriticalSpeed(_) => [track, train],
             Self::TrackResponse(study) => {
                 let rail = if railway.on_supports() { railway.foundation().err() } else { track };
+                let own = if railway.on_supports() { Method::DiracComb } else { Method::Adaptive };
+                // on springs without supports panels that ask at every node are another way
+                let itself = study.verify.filter(|_| railway.on_supports() || railway.ground().is_ok());
+                let rail = rail.or_else(|| only(own, study.method, itself));
                 let verify = || study.verify.and_then(|method| railway.moving(method).err());
                 [rail.or_else(|| study.speeds_lack(railway)).or_else(verify), train]
             }
             Self::Transition(_) if !railway.has_sections() => [Some(RailwayError::OneSection), None],
             Self::Transition(study) => {
                 let methods = std::iter::once(Method::Coupled).chain(study.verify);
-                [methods.filter_map(|method| railway.receptance(method).err()).next(), None]
+                let unknown = methods.filter_map(|method| railway.receptance(method).err()).next();
+                [unknown.or_else(|| only(Method::Coupled, study.method, study.verify)), None]
             }
             Self::Receptance(study) => [study.lacks(railway), None],
             Self::DecayRate(study) => [study.lacks(railway), None],
@@ -313,6 +318,18 @@ impl Study {
             Self::Dispersion(_) | Self::SurfaceCompliance(_) => return Ok(()),
         };
         Ok(railway.check_damping(speeds.into_iter())?)
+    }
+}
+
+/// Refuses another `method` than the study's `own`, and one that is to verify itself.
+fn only(own: Method, method: Option<Method>, verify: Option<Method>) -> Option<RailwayError> {
+    match (method, verify) {
+        (Some(other), _) if other != own => {
+            let (method, track, able) = (other.name(), "this study of such a track", own.name());
+            Some(RailError::Method { method, track, able }.into())
+        }
+        (_, Some(second)) if second == own => Some(RailwayError::Itself { method: own.name() }),
+        _ => None,
     }
 }
 

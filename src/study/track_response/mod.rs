@@ -46,6 +46,8 @@ pub struct TrackResponse {
     pub frequencies: Vec<f64>,
     /// Spectra [m s] to compare with.
     pub beside: Vec<Beside>,
+    /// How the rail is asked: adaptive, over supports by the comb of images; None for whichever it is.
+    pub method: Option<Method>,
     /// Another method, to be compared.
     pub verify: Option<Method>,
 }

@@ -27,6 +27,8 @@ pub struct Transition {
     pub x: (f64, f64),
     /// Spacing of x [m].
     pub spacing: f64,
+    /// How the rail is asked: by coupled sections, or None.
+    pub method: Option<Method>,
     /// Another method for the receptances along the rail, to be compared.
     pub verify: Option<Method>,
 }
