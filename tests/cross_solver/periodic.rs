@@ -1,8 +1,9 @@
 //! A rail on equal supports by one method against another, at random.
 
 use crate::common::sleepers::{Rock, named};
+use crate::drawn;
 use groundwave::rail::periodic::{DiracComb, Floquet, PointSource, TransferMatrix};
-use groundwave::rail::{Answer, Receptance};
+use groundwave::rail::{Answer, RailError, Receptance};
 use groundwave::track::{Element, Link, Member, Stack, Supports};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -58,7 +59,7 @@ fn difference(a: &[Answer], b: &[Answer]) -> (f64, f64) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(drawn(200))]
 
     #[test]
     fn floquet_is_the_comb(
@@ -74,9 +75,15 @@ proptest! {
         let a = floquet.at(&x, from, omega).unwrap();
         // supports that hardly damp at this frequency are none for a comb
         if floquet.waves(omega).unwrap().decay_rate() * supports.spacing > 1e-3 {
-            let b = comb.at(&x, from, omega).unwrap();
-            let (apart, _) = difference(&a, &b);
-            prop_assert!(apart < 1e-9, "{apart:e}");
+            match comb.at(&x, from, omega) {
+                Ok(b) => {
+                    let (apart, _) = difference(&a, &b);
+                    prop_assert!(apart < 1e-9, "{apart:e}");
+                }
+                // or it says that it cannot, and by how much: measured 1.3e-8 once in a thousand
+                Err(RailError::Unsettled { error, .. }) => prop_assert!(error < 1e-6, "{error:e}"),
+                Err(error) => prop_assert!(false, "{error}"),
+            }
         }
         // reciprocity, passivity, the period
         let back = floquet.at(&[from], x[6], omega).unwrap()[0].value;
@@ -88,7 +95,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(drawn(200))]
 
     #[test]
     fn the_transfer_matrix_is_floquet(supports in tracks(false), from in 0.0..1.0f64, frequency in 1.0..3.5f64) {
@@ -107,7 +114,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(drawn(40))]
 
     #[test]
     fn point_sources_are_floquet(

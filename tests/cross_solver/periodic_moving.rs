@@ -1,6 +1,7 @@
 //! Loads that move over equal supports: images in the wavenumber against one standing force after another.
 
 use crate::common::sleepers::{Loss, Rock, SPACING, layers, rail};
+use crate::drawn;
 use groundwave::rail::periodic::{DiracComb, Floquet, MovingGreen};
 use groundwave::rail::{Drive, Moving, Receptance};
 use groundwave::track::{Link, Member, Stack, Supports};
@@ -8,7 +9,7 @@ use proptest::prelude::*;
 use std::f64::consts::TAU;
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(drawn(100))]
 
     #[test]
     fn spectra_agree(

@@ -9,10 +9,12 @@ use crate::math::root::bracketed;
 use crate::rail::RailError;
 use crate::track::{Member, Supports};
 use num_complex::Complex64;
+use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 
-/// Steps [Hz] in which changes of sign are looked for.
-const STEP: f64 = 0.5;
+/// Steps in which changes of sign are looked for: at least so many Hz, and this share of the frequency.
+const LEAST: f64 = 0.5;
+const STEP: f64 = 2e-3;
 /// Bands narrower than this [Hz] are not told.
 const NARROW: f64 = 1e-4;
 
@@ -157,16 +159,18 @@ enum Edge {
 
 /// Frequencies [Hz] below `highest` where `f`(ω) changes its sign.
 fn changes(
-    mut f: impl FnMut(f64) -> Result<f64, FoundationError>,
+    f: impl Fn(f64) -> Result<f64, FoundationError> + Sync,
     highest: f64,
 ) -> Result<Vec<f64>, FoundationError> {
+    let mut ends = vec![LEAST];
+    while ends[ends.len() - 1] < highest {
+        let last = ends[ends.len() - 1];
+        ends.push((last + LEAST.max(STEP * last)).min(highest));
+    }
+    let values: Vec<f64> = ends.par_iter().map(|frequency| f(TAU * frequency)).collect::<Result<_, _>>()?;
     let mut found = Vec::new();
-    let mut last = f(TAU * STEP)?;
-    let steps = (highest / STEP).ceil() as usize;
-    for i in 2..=steps {
-        let (low, high) = (TAU * STEP * (i - 1) as f64, (TAU * STEP * i as f64).min(TAU * highest));
-        let next = f(high)?;
-        if last * next < 0.0 {
+    for (ends, values) in ends.windows(2).zip(values.windows(2)) {
+        if values[0] * values[1] < 0.0 {
             let mut failure = None;
             let root = bracketed(
                 |omega| {
@@ -175,8 +179,8 @@ fn changes(
                         0.0
                     })
                 },
-                low,
-                high,
+                TAU * ends[0],
+                TAU * ends[1],
                 1e-14,
             );
             if let Some(error) = failure {
@@ -184,7 +188,6 @@ fn changes(
             }
             found.extend(root.map(|omega| omega / TAU));
         }
-        last = next;
     }
     Ok(found)
 }
