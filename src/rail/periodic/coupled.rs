@@ -16,7 +16,7 @@ use num_complex::Complex64;
 /// In every section waves run both ways, referred to the end they come from, so that none grows; where sections meet w, φ, −Q, −M are
 /// the same on both sides. A force adds the waves of an endless track of its section.
 ///
-/// Accuracy: 1e-11 of the receptance (test `analytic::transition`). Source: THEORY-BEAMS 7; Eqs (75)–(79) with errata.
+/// Accuracy: 1e-11 of the receptance (test `analytic::transition`). Source: Eqs (75)–(79) with errata.
 pub struct Coupled<'a> {
     cells: Vec<Cell<'a>>,
     /// Where each section begins and ends [m].

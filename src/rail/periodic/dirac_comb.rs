@@ -24,7 +24,7 @@ const SETTLED: f64 = 1e-8;
 ///
 /// Accuracy: 1e-9 of the field at the force wherever the track damps, the integrand being periodic and smooth: every doubling of
 /// the phases squares the error (test `cross_solver::periodic`). Without damping it does not settle.
-/// Source: THEORY-BEAMS 5, 9; Eqs (57)–(59) with errata.
+/// Source: Eqs (57)–(59) with errata.
 #[derive(Clone, Copy)]
 pub struct DiracComb<'a> {
     cell: Cell<'a>,

@@ -167,7 +167,7 @@ fn wave(span: &Span, c: Complex64, p: (Complex64, Complex64), q: (Complex64, Com
 /// A rail on equal supports by its free waves: exact, at any distance.
 ///
 /// Accuracy: 1e-9 and better of published numbers, over 200 bays too (tests `analytic::periodic`).
-/// Source: THEORY-BEAMS 5; Eqs (71)–(74) with errata.
+/// Source: Eqs (71)–(74) with errata.
 #[derive(Clone, Copy)]
 pub struct Floquet<'a> {
     cell: Cell<'a>,

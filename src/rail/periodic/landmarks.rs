@@ -195,7 +195,7 @@ fn changes(
 /// The frequency [Hz] at which `half_waves` half waves of `rail` stand between supports `spacing` [m] apart that do not yield,
 /// γL = nπ: EB ω = q √(EI/m), q = (nπ/L)²; T (ρIm/EIκGA)ω⁴ − (m/EI + qm/κGA + qρI/EI)ω² + q² = 0. None for a rail without mass.
 ///
-/// Accuracy: rounding (test `analytic::periodic_bands`). Source: THEORY-BEAMS 5.
+/// Accuracy: rounding (test `analytic::periodic_bands`). Source: Eqs (71)–(74), corrected.
 pub fn pinned_pinned(rail: &Member, spacing: f64, half_waves: u32) -> Option<f64> {
     let q = Complex64::from((PI * f64::from(half_waves) / spacing).powi(2));
     let undamped = rail.undamped();

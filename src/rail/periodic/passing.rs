@@ -1,4 +1,4 @@
-//! Loads that move over equal supports: spectra at a place, histories, harmonics under the load. THEORY-BEAMS 6.
+//! Loads that move over equal supports: spectra at a place, histories, harmonics under the load. Eqs (57)–(64), corrected.
 
 use super::cell::Cell;
 use super::dirac_comb::DiracComb;
@@ -147,7 +147,7 @@ impl<'a> DiracComb<'a> {
     /// û(x, ω) [m s/N] at `x` [m] of a unit load e^{iω̃t} that moves as `drive`, over the support x = 0 at t = 0, for `omega` ≠ 0
     /// [rad/s]: the spectrum seen by one beside the track, Fig. 27.
     ///
-    /// Accuracy: 1e-8 and better of 32-digit numbers (test `analytic::periodic_moving`). Source: THEORY-BEAMS 6; Eqs (60), (61).
+    /// Accuracy: 1e-8 and better of 32-digit numbers (test `analytic::periodic_moving`). Source: Eqs (60), (61).
     ///
     /// # Errors
     /// A load faster than the rail's shear waves; ground that joins the supports; springs that cannot carry a constant load.
@@ -185,7 +185,7 @@ impl<'a> DiracComb<'a> {
     ///
     ///   W₀ = (1/2π)∫(1 + (D/L)Σ′G)/N db,   W_j = −(1/2π)∫(D/L)G_j/N db
     ///
-    /// Accuracy: 1e-8 of W₀ (test `analytic::periodic_moving`). Source: THEORY-BEAMS 6.
+    /// Accuracy: 1e-8 of W₀ (test `analytic::periodic_moving`). Source: Eqs (57)–(61), corrected.
     ///
     /// # Errors
     /// As [`spectrum`](Self::spectrum).
@@ -213,7 +213,7 @@ impl<'a> DiracComb<'a> {
     ///
     /// Accuracy: 1e-8 of the largest deflection for Euler–Bernoulli rails (test `analytic::periodic_moving`); the deflection of a
     /// Timoshenko rail has a bend when the load passes a support, and keeps an error that `error` tells. Viscous damping: the loss of
-    /// hysteretic springs jumps at ω = 0, which a constant load meets. Source: THEORY-BEAMS 6.
+    /// hysteretic springs jumps at ω = 0, which a constant load meets. Source: Eqs (57)–(61), corrected.
     ///
     /// # Errors
     /// As [`spectrum`](Self::spectrum).

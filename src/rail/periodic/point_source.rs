@@ -22,7 +22,7 @@ const SETTLED: f64 = 1e-10;
 ///
 /// Accuracy: 1e-9 of the field at the force, once the supports absorb the waves that run into them; it doubles their number up to
 /// 2560 on a side, enough from 0.1 dB/m on, and refuses what needs more (test `cross_solver::periodic`).
-/// Source: THEORY-BEAMS 5, 9; Eqs (50)–(55) with errata.
+/// Source: Eqs (50)–(55) with errata.
 #[derive(Clone, Copy)]
 pub struct PointSource<'a> {
     cell: Cell<'a>,
