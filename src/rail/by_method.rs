@@ -16,14 +16,6 @@ impl Method {
             (Layout::Varying(_), _) => Self::Coupled,
         }
     }
-
-    /// The best for a force that moves along it.
-    pub fn moving(layout: &Layout, on: &dyn Foundation) -> Self {
-        match layout {
-            Layout::Continuous(stack) => continuous::best_moving(stack, on),
-            Layout::Discrete(_) | Layout::Varying(_) => Self::DiracComb,
-        }
-    }
 }
 
 /// How the rail of `layout` on `on` answers a standing force, by `method`.

@@ -10,7 +10,7 @@ mod uniform;
 
 pub use residues::Departing;
 
-use super::{Drive, Method, Moving, RailError, Receptance};
+use super::{Method, Moving, RailError, Receptance};
 use crate::foundation::Foundation;
 use crate::track::Stack;
 use adaptive::Adaptive;
@@ -52,15 +52,6 @@ pub(super) fn receptance<'a>(
             });
         }
     })
-}
-
-/// The best for a force that moves: exact where the track is a polynomial in frequency, which hysteretic loss and bars are not.
-pub(super) fn best_moving(stack: &Stack, on: &dyn Foundation) -> Method {
-    let uniform = Uniform::new(stack, on);
-    match uniform.springs().and_then(|tower| residues::along(tower, Drive { omega: 1.0, speed: 1.0 })) {
-        Some(_) => Method::Residues,
-        None => Method::Adaptive,
-    }
 }
 
 /// How the rail of `stack` on `on` answers a force that moves, by `method`.

@@ -8,6 +8,7 @@ use crate::track::Supports;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
+pub(super) const NAME: &str = "point-source";
 /// Supports on either side of the force and the farthest place, at first and at most.
 const FIRST: usize = 40;
 const MOST: usize = 2560;
@@ -35,6 +36,39 @@ impl<'a> PointSource<'a> {
     /// Ground that joins the supports under sleepers without a width; a foundation that cannot answer.
     pub fn new(supports: &'a Supports, on: &'a dyn Foundation) -> Result<Self, RailError> {
         Ok(Self { cell: Cell::new(supports, on)? })
+    }
+}
+
+/// Answers by ever more supports: `fields`(side) [m/N] at the places asked and, last, at the force, doubled from `first` up to `most` on a
+/// side until one doubling changes them by less than `settled` of the field at the force.
+///
+/// # Errors
+/// As `fields`; what does not settle at `omega` [rad/s], with its `remedy`.
+pub(super) fn doubled(
+    fields: impl Fn(usize) -> Result<Option<Vec<Complex64>>, RailError>,
+    (first, most): (usize, usize),
+    settled: f64,
+    omega: f64,
+    remedy: &'static str,
+) -> Result<Vec<Answer>, RailError> {
+    let unsettled = |error| RailError::Unsettled { method: NAME, frequency: omega / TAU, error, remedy };
+    let solved = |side| fields(side)?.ok_or(unsettled(f64::INFINITY));
+    let mut side = first;
+    let mut less = solved(side)?;
+    loop {
+        side *= 2;
+        let mut more = solved(side)?;
+        let own = more.last().map_or(f64::NAN, |own| own.norm());
+        let change = more.iter().zip(&less).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max) / own;
+        if change < settled {
+            more.pop();
+            let error = own * (1e-11 + change);
+            return Ok(more.into_iter().map(|value| Answer { value, error }).collect());
+        }
+        if 2 * side > most || change.is_nan() {
+            return Err(unsettled(change));
+        }
+        less = more;
     }
 }
 
@@ -119,30 +153,9 @@ impl Receptance for PointSource<'_> {
     fn at(&self, x: &[f64], from: f64, omega: f64) -> Result<Vec<Answer>, RailError> {
         let span = Span::new(self.cell.rail(), self.cell.spacing(), omega);
         let support = self.cell.support(omega)?;
-        let mut side = FIRST;
-        let mut fields = self.fields(&span, &support, (x, from), side);
-        loop {
-            side *= 2;
-            let more = self.fields(&span, &support, (x, from), side);
-            let own = more[x.len()].norm();
-            let change = more.iter().zip(&fields).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max) / own;
-            fields = more;
-            if change < SETTLED {
-                let error = own * (1e-11 + change);
-                return Ok(fields[..x.len()].iter().map(|&value| Answer { value, error }).collect());
-            }
-            if 2 * side > MOST || change.is_nan() {
-                let remedy = "waves decay too little for so many supports: ask \"floquet\", or \"dirac-comb\" on ground that \
-                              joins the supports";
-                let frequency = omega / TAU;
-                return Err(RailError::Unsettled {
-                    method: "point-source",
-                    frequency,
-                    error: change,
-                    remedy,
-                });
-            }
-        }
+        let fields = |side| Ok(Some(self.fields(&span, &support, (x, from), side)));
+        let remedy = "waves decay too little for so many supports: ask \"floquet\", or \"dirac-comb\" on ground that joins the supports";
+        doubled(fields, (FIRST, MOST), SETTLED, omega, remedy)
     }
 
     fn period(&self) -> Option<f64> {

@@ -2,15 +2,14 @@
 
 use super::cell::Cell;
 use super::floquet::uncoupled;
+use super::point_source::{NAME, doubled};
 use super::span::Span;
 use crate::foundation::Foundation;
 use crate::rail::{Answer, RailError, Receptance};
 use crate::track::Section;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
-use std::f64::consts::TAU;
 
-const NAME: &str = "point-source";
 /// Supports of the first and of the last section beyond the farthest place, at first and at most.
 const FIRST: usize = 30;
 const MOST: usize = 240;
@@ -73,7 +72,7 @@ impl<'a> SectionForces<'a> {
         all
     }
 
-    /// Fields at `x` and, last, at the force.
+    /// Fields at `x` and, last, at the force; None where the forces have no solution.
     fn fields(
         &self,
         (x, from): (&[f64], f64),
@@ -101,29 +100,8 @@ impl<'a> SectionForces<'a> {
 
 impl Receptance for SectionForces<'_> {
     fn at(&self, x: &[f64], from: f64, omega: f64) -> Result<Vec<Answer>, RailError> {
-        let unsettled = |error| RailError::Unsettled {
-            method: NAME,
-            frequency: omega / TAU,
-            error,
-            remedy: "waves decay too little for so many supports: ask \"coupled\"",
-        };
-        let solved = |side| self.fields((x, from), omega, side)?.ok_or(unsettled(f64::INFINITY));
-        let mut side = FIRST;
-        let mut fields = solved(side)?;
-        loop {
-            side *= 2;
-            let more = solved(side)?;
-            let own = more[x.len()].norm();
-            let change = more.iter().zip(&fields).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max) / own;
-            fields = more;
-            if change < SETTLED {
-                let error = own * (1e-11 + change);
-                return Ok(fields[..x.len()].iter().map(|&value| Answer { value, error }).collect());
-            }
-            if 2 * side > MOST || change.is_nan() {
-                return Err(unsettled(change));
-            }
-        }
+        let remedy = "waves decay too little for so many supports: ask \"coupled\"";
+        doubled(|side| self.fields((x, from), omega, side), (FIRST, MOST), SETTLED, omega, remedy)
     }
 
     fn period(&self) -> Option<f64> {
