@@ -1,7 +1,11 @@
-//! Checks of single numbers, shared by the tables of a case.
+//! Checks of numbers, spans and places, shared by the tables of a case.
 
 use super::error::Finding;
+use super::ranges::{POSITIVE, numbers};
 use super::schema::SpanInput;
+use super::values::Range;
+use crate::field::Window;
+use crate::quantity::positive;
 use crate::study::tag;
 
 /// Farthest position a case may ask for [m].
@@ -60,5 +64,35 @@ pub fn ascending(values: &[f64], path: &str) -> Result<(), Finding> {
         )
         .help("sort the list, each value once")),
         None => Ok(()),
+    }
+}
+
+/// The part of the surface to map, of the study `path`.
+pub fn window(x: SpanInput, y: SpanInput, spacing: f64, path: &str) -> Result<Window, Finding> {
+    let (x, y) = (span(x, &format!("{path}.x"))?, span(y, &format!("{path}.y"))?);
+    let spacing = positive("spacing", spacing, "m").map_err(|e| Finding::out_of_range(path, e))?;
+    let least = (x.1 - x.0).min(y.1 - y.0);
+    if spacing > least {
+        let message = format!("spacing is {spacing} m, wider than the window of {least} m");
+        return Err(
+            Finding::new(format!("{path}.spacing"), message).help("a map has two points each way at least")
+        );
+    }
+    Ok(Window { x, y, spacing })
+}
+
+/// Distances from the centre line, ascending.
+pub fn receivers(values: &[f64], path: &str) -> Result<Vec<f64>, Finding> {
+    if values.is_empty() {
+        return Ok(Vec::new());
+    }
+    let values = numbers(&Range::List(values.to_vec()), path, "m", POSITIVE)?;
+    ascending(&values, path)?;
+    match values.iter().position(|y| *y > FARTHEST) {
+        Some(i) => {
+            let message = format!("{} m: farther than {FARTHEST} m", values[i]);
+            Err(Finding::new(format!("{path}[{i}]"), message))
+        }
+        None => Ok(values),
     }
 }

@@ -11,6 +11,7 @@ pub mod library;
 mod load;
 mod loader;
 mod plausible;
+mod rail_studies;
 mod ranges;
 mod read;
 mod report;

@@ -13,6 +13,7 @@ pub mod direct_stiffness;
 pub mod dispersion;
 pub mod flexibility;
 pub mod half_space;
+pub mod haskell;
 mod layer_stiffness;
 mod material;
 pub mod off_axis;

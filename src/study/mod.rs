@@ -14,6 +14,7 @@ mod receptance;
 mod surface_compliance;
 mod track_response;
 mod transition;
+mod verified;
 
 pub use comparison::Comparison;
 pub use contour::{Contour, GroundMaps};
@@ -26,6 +27,7 @@ pub use receptance::{Receptance, ReceptanceMap, Receptances, Surface};
 pub use surface_compliance::{Compliances, SurfaceComplianceTable};
 pub use track_response::{OverSupports, Record, TrackResponse, TrackShapes, same_speed, tag};
 pub use transition::{Scattered, Transition};
+pub use verified::Verified;
 
 use crate::concern::Concern;
 use crate::dataset::Group;
@@ -36,8 +38,8 @@ use crate::progress::Observer;
 use crate::rail::{InteractionError, Method, RailError};
 use crate::railway::{Ground, Railway, RailwayError};
 use crate::soil::SoilError;
-use comparison::TOLERABLE;
 use thiserror::Error;
+use verified::{known, only};
 
 /// One number a reader came for.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,44 +79,6 @@ impl Beside {
     fn series(&self, scale: f64) -> Series {
         let y = self.values.iter().map(|value| scale * value).collect();
         Series { name: self.label.clone(), x: self.x.clone(), y, stroke: Stroke::Points }
-    }
-}
-
-/// What another method says to the rail.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Verified {
-    /// The other method.
-    pub method: Method,
-    /// Largest difference over the largest value, or why there is none.
-    pub difference: Result<f64, Box<StudyError>>,
-}
-
-impl Verified {
-    fn new(method: Method, difference: Result<f64, StudyError>) -> Self {
-        Self { method, difference: difference.map_err(Box::new) }
-    }
-
-    fn answer(&self) -> Option<Answer> {
-        let difference = *self.difference.as_ref().ok().filter(|difference| difference.is_finite())?;
-        let what = format!("Largest difference of the rail by {}, of the largest", self.method.name());
-        Some(Answer::new("verified", what, difference, "1", format!("{difference:.1e}")))
-    }
-
-    fn concern(&self) -> Option<Concern> {
-        let name = self.method.name();
-        match &self.difference {
-            Ok(difference) if *difference <= TOLERABLE => None,
-            Ok(difference) => Some(Concern::new(
-                "methods-disagree",
-                format!("{name} differs by {difference:.1e} of the largest"),
-                "ask a third method; look for hysteretic loss under moving loads and for little damping",
-            )),
-            Err(error) => Some(Concern::new(
-                "not-verified",
-                format!("by {name}: {error}"),
-                "verify with another method, or at other frequencies",
-            )),
-        }
     }
 }
 
@@ -318,29 +282,6 @@ impl Study {
             Self::Dispersion(_) | Self::SurfaceCompliance(_) => return Ok(()),
         };
         Ok(railway.check_damping(speeds.into_iter())?)
-    }
-}
-
-/// Refuses another `method` than the study's `own`, and one that is to verify itself.
-fn only(own: Method, method: Option<Method>, verify: Option<Method>) -> Option<RailwayError> {
-    match (method, verify) {
-        (Some(other), _) if other != own => {
-            let (method, track, able) = (other.name(), "this study of such a track", own.name());
-            Some(RailError::Method { method, track, able }.into())
-        }
-        (_, Some(second)) if second == own => Some(RailwayError::Itself { method: own.name() }),
-        _ => None,
-    }
-}
-
-/// Refuses a `method`, and another to `verify` it, that do not know the rail of `railway`, and a method that is to verify itself.
-fn known(railway: &Railway, method: Option<Method>, verify: Option<Method>) -> Result<(), RailwayError> {
-    let method = railway.method(method)?;
-    railway.receptance(method)?;
-    match verify {
-        Some(second) if second == method => Err(RailwayError::Itself { method: method.name() }),
-        Some(second) => railway.receptance(second).map(drop),
-        None => Ok(()),
     }
 }
 

@@ -12,6 +12,8 @@
 //! | [`Multibody::ten`] | 4 | wheelsets, bogies and body (bounce, pitch) | e |
 //!
 //! What a model leaves out stands on it as a static load: every model has the axle loads of the whole vehicle.
+//!
+//! Half of the file is its tests.
 
 use super::{Axle, BodyError, FourAxle, Suspension};
 use crate::quantity::positive;

@@ -1,7 +1,7 @@
 //! Every component of the 60-digit reference.
 
 use crate::common::{named, rows};
-use groundwave::soil::transfer_matrix::haskell;
+use groundwave::soil::haskell::haskell;
 use groundwave::soil::{GroundSolver, Profile, SoilError, Solver, SurfaceCompliance};
 use num_complex::Complex64;
 use std::f64::consts::TAU;

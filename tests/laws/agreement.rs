@@ -3,7 +3,7 @@
 use crate::draw::{Ground, ground, ground_of};
 use crate::ground::{difference, finite_all};
 use crate::{Verdict, ask, report, within};
-use groundwave::soil::transfer_matrix::haskell;
+use groundwave::soil::haskell::haskell;
 use groundwave::soil::{GroundSolver, SoilError, Solver, SurfaceCompliance};
 use std::cell::Cell;
 
