@@ -4,9 +4,11 @@ use super::Case;
 use super::verification::Verification;
 use crate::concern::Concern;
 use crate::output::{Report, ReportTable};
+use crate::rail::DecayRate;
 use crate::railway::{Contact, Ground, Railway, Support};
 use crate::soil::{Base, Material};
 use crate::study::{Irregularity, Outcome, Study};
+use crate::track::{Layout, Section, Supports};
 
 fn ground_table(railway: &Railway) -> Option<ReportTable> {
     let Ground { profile, .. } = railway.ground().ok()?;
@@ -79,14 +81,26 @@ fn train_table(railway: &Railway) -> Option<ReportTable> {
 /// What excites the railway: axle loads, a standing force, the roughness of the rail.
 fn excitation(studies: &[Study]) -> Vec<String> {
     let mut list = Vec::new();
-    let moving =
-        |s: &Study| matches!(s, Study::CriticalSpeed(_) | Study::TrackResponse(_) | Study::Contour(_));
+    let moving = |s: &Study| match s {
+        Study::CriticalSpeed(_) | Study::Contour(_) => true,
+        Study::TrackResponse(study) => study.harmonic.is_none(),
+        _ => false,
+    };
     if studies.iter().any(moving) {
         list.push("Loads are constant axle loads moving at constant speed (quasi-static excitation); rail roughness and vehicle dynamics are not in critical speed, track response and contour.".to_owned());
     }
     for study in studies {
         match study {
-            Study::Receptance(_) => list.push("Receptances are per unit harmonic force e^{iωt} standing on the rail (on the whole track: both rails alike).".into()),
+            Study::Receptance(_) => list.push("Receptances are per unit harmonic force e^{iωt} standing on the rail, on both rails alike unless the case says rails = 1.".into()),
+            Study::TrackResponse(study) => list.extend(study.harmonic.map(|frequency| {
+                format!("In the track response every axle load P moves at constant speed and oscillates, P cos ω̃t at {frequency} Hz, all of them together.")
+            })),
+            Study::DecayRate(study) => list.push(match study.definition {
+                DecayRate::Floquet => "Decay rates are those of the free wave along the rail that decays least.".into(),
+                DecayRate::ExactReceptance => "Decay rates are 4.343 |α(0)|²/∫|α|² dx of the rail's receptance ahead of the force.".into(),
+                DecayRate::En15461 => "Decay rates are the sum over the grid of EN 15461, from receptances: not those of a free wave.".into(),
+            }),
+            Study::Transition(_) => list.push("Power at changes of track is that of the wave along the first section that decays least, over what it brings; what is lost in rail and supports comes nowhere.".into()),
             Study::FreeField(study) => {
                 list.push("The free field is vertical, unweighted, at the surface of the open ground: no building, no coupling loss. Third octaves are exact base-10 bands; the r.m.s. is over the passage time.".into());
                 list.push(match &study.roughness {
@@ -118,9 +132,40 @@ fn excitation(studies: &[Study]) -> Vec<String> {
     list
 }
 
+/// What lies along the track.
+fn along(layout: &Layout) -> String {
+    match layout {
+        Layout::Continuous(_) => {
+            "Linear and uniform along the track: one profile, one track, no structures, no transition."
+                .to_owned()
+        }
+        Layout::Discrete(Supports { spacing, width, .. }) => {
+            let ground = match width {
+                Some(width) => {
+                    format!("sleepers press on {width} m of ground along the track each, which joins them")
+                }
+                None => "every support stands on springs of its own".to_owned(),
+            };
+            format!(
+                "Linear; the rail on equal supports every {spacing} m, without end, each with {spacing} × the values per metre of track; {ground}. One profile, one track, no structures, no transition. x is measured from a support."
+            )
+        }
+        Layout::Varying(sections) => {
+            let one = |section: &Section| {
+                let bays = section.bays.map_or("endless".to_owned(), |bays| format!("{bays} bays"));
+                format!("{bays} of {} m", section.supports.spacing)
+            };
+            format!(
+                "Linear; sections one after another ({}), every support with spacing × the values per metre of track, on springs of its own. Sections change in the middle between supports; x = 0 is where the first one ends.",
+                sections.iter().map(one).collect::<Vec<_>>().join(", ")
+            )
+        }
+    }
+}
+
 fn assumptions(railway: &Railway, studies: &[Study]) -> Vec<String> {
     let mut list = vec![
-        "Linear and uniform along the track: one profile, one track, no structures, no transition.".to_owned(),
+        along(railway.layout()),
         "Displacements are positive down, and measured from the unloaded state; x′ is the position relative to the leading axle, positive ahead.".to_owned(),
         "Track values are for the whole track, both rails, unless the case says rails = 1.".to_owned(),
     ];
@@ -204,5 +249,32 @@ pub fn report(
         assumptions: assumptions(&case.railway, &case.studies),
         concerns: concerns.to_vec(),
         references: case.references.clone(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RAIL: &str = "title = \"x\"\n[foundation]\nkind = \"rigid\"\n[receptance]\nfrequencies = [100.0]\n[track]\nkind = \"ballasted\"\nrails = 1\nrail.bending_stiffness = 6.38e6\nrail.mass = 60.23\npad.stiffness = 3.5e8\nsleeper.mass = 245.0\nballast.kind = \"spring\"\nballast.stiffness = 1.8e8\n";
+
+    #[test]
+    fn assumptions_are_those_of_the_track() {
+        let supports = "support.spacing = 0.6\n";
+        let sections = "[[track.section]]\n[[track.section]]\nlength = 3.0\n[[track.section]]\nballast.stiffness = 9e7\n";
+        for (more, said, unsaid) in [
+            (String::new(), "uniform along the track", "supports"),
+            (supports.to_owned(), "equal supports every 0.6 m", "uniform"),
+            (
+                format!("{supports}{sections}"),
+                "(endless of 0.6 m, 5 bays of 0.6 m, endless of 0.6 m)",
+                "no transition",
+            ),
+        ] {
+            let case = Case::parse(&format!("{RAIL}{more}"), "x", &|_| Err(String::new())).unwrap();
+            let found = assumptions(&case.railway, &case.studies);
+            assert!(found[0].contains(said) && !found[0].contains(unsaid), "{found:?}");
+            assert!(found.iter().any(|line| line.contains("rails = 1")), "{found:?}");
+        }
     }
 }

@@ -33,7 +33,8 @@ pub enum RailwayError {
     /// Everything must be spread along the rail.
     #[error(
         "its supports stand apart, and this is known of continuous tracks alone, the ground beside them included: without track.support all \
-         is spread along the rail; receptance of the rail, decay_rate, track_response and transition know supports"
+         is spread along the rail; receptance of the rail knows supports and sections, decay_rate and track_response equal supports, transition \
+         sections"
     )]
     Apart,
     /// A method that is to verify itself.
