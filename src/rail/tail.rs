@@ -45,13 +45,18 @@ impl Tail {
         Self { terms, scale }
     }
 
+    /// c₁/(β² + s²) + c₂/(β² + s²)² with s = `scale` [rad/m].
+    pub fn of_two(first: Complex64, second: Complex64, scale: f64) -> Self {
+        let mut terms = [Complex64::ZERO; TERMS];
+        (terms[0], terms[1]) = (first, second);
+        Self { terms, scale }
+    }
+
     /// Of the rail of `stack` alone under a point: c₁ of one that shears, 1/(κGA − mv²); of others, and where v ≠ 0 of its loss, nothing.
     pub fn of_rail(stack: &Stack, omega: f64, speed: f64) -> Self {
-        let mut terms = [Complex64::ZERO; TERMS];
         let shear = stack.members().first().and_then(|rail| rail.at_short_waves(omega, speed));
         let (c, scale) = shear.unwrap_or((Complex64::ZERO, 1.0));
-        terms[0] = c;
-        Self { terms, scale }
+        Self::of_two(c, Complex64::ZERO, scale)
     }
 
     /// Whether nothing is taken out.

@@ -1,20 +1,18 @@
 //! What a rail does at short waves, whatever carries it: the slow end of its spectrum in closed form.
 
-use crate::rail::{Drive, RailError};
+use crate::rail::{Drive, RailError, tail};
 use crate::track::Member;
 use num_complex::Complex64;
 
 /// Where the spectrum is compared with its two terms [rad/m].
 const SHORT: f64 = 2e3;
 
-/// t/(β² + s²) + e/(β² + s²)² beside 1/D_r(β, ω̃ − βv), leaving β⁻⁶; back in space e^{−s|x|} [t/2s + e(1 + s|x|)/4s³].
+/// t/(β² + s²) + e/(β² + s²)² beside 1/D_r(β, ω̃ − βv), leaving β⁻⁶: t = 1/(κGA − mv²) [1/N], 0 for Euler–Bernoulli, and e [m²/N], which
+/// is 1/EI there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tail {
-    s: f64,
-    /// 1/(κGA − mv²) [1/N]; 0 for Euler–Bernoulli.
-    t: f64,
-    /// [m²/N]; 1/EI for Euler–Bernoulli.
-    e: Complex64,
+    terms: tail::Tail,
+    bends: bool,
 }
 
 impl Tail {
@@ -40,23 +38,22 @@ impl Tail {
             let ground = rail.stiffness((beta * beta).into(), drive.at(beta));
             (1.0 / ground - t / square) * square * square
         };
-        Ok(Self { s, t, e: 0.5 * (rest(SHORT) + rest(-SHORT)) })
+        let e = 0.5 * (rest(SHORT) + rest(-SHORT));
+        Ok(Self { terms: tail::Tail::of_two(t.into(), e, s), bends: t > 0.0 })
     }
 
     /// Whether the rail bends under the load, as Timoshenko's does.
     pub fn bends(&self) -> bool {
-        self.t > 0.0
+        self.bends
     }
 
     /// At `beta` [rad/m].
     pub fn at(&self, beta: f64) -> Complex64 {
-        let square = beta * beta + self.s * self.s;
-        (self.t + self.e / square) / square
+        self.terms.of(beta)
     }
 
     /// At `x` [m] from the load.
     pub fn field(&self, x: f64) -> Complex64 {
-        let d = self.s * x.abs();
-        (-d).exp() / (2.0 * self.s) * (self.t + self.e * (1.0 + d) / (2.0 * self.s * self.s))
+        self.terms.at(x)
     }
 }
