@@ -127,6 +127,11 @@ impl Material {
         Self { loss_shear: factor * self.loss_shear, loss_pressure: factor * self.loss_pressure, ..*self }
     }
 
+    /// The same material with both loss factors `loss` ≥ 0.
+    pub fn with_loss(&self, loss: f64) -> Self {
+        Self { loss_shear: loss, loss_pressure: loss, ..*self }
+    }
+
     /// μ* = μ(1 + iη_s sgn ω) [Pa]
     pub fn complex_shear_modulus(&self, omega: f64) -> Complex64 {
         self.shear_modulus * Complex64::new(1.0, self.loss_shear * sign(omega))
