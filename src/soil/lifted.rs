@@ -43,8 +43,8 @@ pub(super) struct Integral<'a> {
 }
 
 /// Accuracy of both integrals that are compared, and what a pole between them may add, relative.
-const COMPARED: f64 = 1e-7;
-const ALIKE: f64 = 1e-5;
+const COMPARED: f64 = 1e-4;
+const ALIKE: f64 = 2e-4;
 
 impl Integral<'_> {
     /// Whether no pole of G stands between the real axis and the path, at any β: both integrals agree at β = 0. False as well where
