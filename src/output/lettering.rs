@@ -3,14 +3,12 @@
 //! The library hands over no pixels, only a coded picture. So the texts alone are drawn, close together on a sheet a tenth
 //! of the page, and cut out of it.
 
-use super::canvas::{Anchor, text_width};
 use super::colours::Rgb;
-use super::page::Point;
+use super::page::{Point, SHARPNESS};
 use super::pixels::Pixels;
-use super::raster::SHARPNESS;
 use kuva::backend::raster::RasterBackend;
 use kuva::render::color::Color;
-use kuva::render::render::{Primitive, Scene};
+use kuva::render::render::{Primitive, Scene, TextAnchor as Anchor};
 
 /// Room left and right of a text [px of the page]; letters may reach over their own width.
 const ROOM: f64 = 4.0;
@@ -68,6 +66,19 @@ pub(super) fn labels(page: &Scene) -> Result<Vec<Label>, String> {
     cut(&drawn, &cells).map_err(|error| error.to_string())
 }
 
+/// Width of a text [px], a little generous: enough to keep boxes and margins clear of it.
+pub(super) fn text_width(text: &str, size: u32) -> f64 {
+    let em = |c: char| match c {
+        ' ' | '.' | ',' | ':' | ';' | '|' | '\'' | 'i' | 'j' | 'l' | 'I' | 't' | 'f' | '(' | ')' | '['
+        | ']' | '/' | '·' => 0.39,
+        'm' | 'w' | 'M' | 'W' | '×' | '−' | '+' | '=' | '–' => 0.92,
+        '⁰' | '¹' | '²' | '³' | '⁴' | '⁵' | '⁶' | '⁷' | '⁸' | '⁹' | '⁻' => 0.42,
+        c if c.is_uppercase() => 0.72,
+        _ => 0.635,
+    };
+    text.chars().map(em).sum::<f64>() * f64::from(size)
+}
+
 /// The `cells` of a picture of black text on white.
 fn cut(drawn: &[u8], cells: &[(Point, Point, Point)]) -> Result<Vec<Label>, Box<dyn std::error::Error>> {
     let mut reader = png::Decoder::new(std::io::Cursor::new(drawn)).read_info()?;
@@ -100,7 +111,7 @@ impl Label {
 #[cfg(test)]
 mod tests {
     use super::super::canvas::Canvas;
-    use super::super::{page::Area, raster};
+    use super::super::page::{Area, SHARPNESS};
 
     /// Columns and rows that a page's ink reaches from and to.
     fn reach(png: &[u8]) -> [usize; 4] {
@@ -139,6 +150,6 @@ mod tests {
         page.text((30.0, 20.0), "wider than its page", 16, super::Anchor::Middle);
         let [left, right, ..] = reach(&page.png().unwrap());
         // a letter or the gap between two at either edge
-        assert!(left < 8 && right > 60 * raster::SHARPNESS - 9, "{left} {right}");
+        assert!(left < 8 && right > 60 * SHARPNESS - 9, "{left} {right}");
     }
 }

@@ -2,13 +2,11 @@
 
 use super::colours::Rgb;
 use super::lettering::{Label, labels};
-use super::page::{Area, Point};
+use super::page::{Area, Point, SHARPNESS};
 use super::pixels::Pixels;
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, Scene};
 
-/// Pixels of a PNG per unit of the page.
-pub(super) const SHARPNESS: usize = 2;
 /// Pixels per metre of paper: 300 dpi, so that a page 900 wide prints 152 mm wide.
 const PRINT: u32 = 11_811;
 

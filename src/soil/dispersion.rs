@@ -9,6 +9,7 @@
 //! Trapped modes only: slower than shear waves in the half-space. Faster, leaky ones lose energy downward and are left out.
 
 use super::layer_stiffness::LayerStiffness;
+use super::mode_count::ModeCount;
 use super::transfer_matrix::Waves;
 use super::wave::Wave;
 use super::{Profile, chain};
@@ -144,11 +145,12 @@ fn undamped(
         SurfaceWave::Rayleigh => profile.slowest_rayleigh_speed(),
         SurfaceWave::Love => profile.materials().map(|m| m.c_s()).fold(f64::INFINITY, f64::min),
     };
+    let counts = &ModeCount::new(waves);
     // a little beyond the slowest wave of any one material, to which modes of a soft top layer converge; a heavy layer on
     // light ground is slower still
     let mut highest = omega / slowest * (1.0 + 1e-6);
     for _ in 0..100 {
-        if staircase(waves, wave, highest) == 0 {
+        if below(counts, wave, highest) == 0 {
             break;
         }
         highest *= 1.05;
@@ -162,13 +164,13 @@ fn undamped(
     }
     // waves may run backward, and the count rises before it falls: every step is a mode
     let at = |i: usize| lowest + (highest - lowest) * i as f64 / SCAN as f64;
-    let total = staircase(waves, wave, lowest);
+    let total = below(counts, wave, lowest);
     let mut roots = Vec::new();
     let mut count = 0;
     let (mut high, mut count_high) = (highest, 0_usize);
     for i in (0..SCAN).rev() {
-        let (low, count_low) = (at(i), if i == 0 { total } else { staircase(waves, wave, at(i)) });
-        isolate(waves, wave, (low, count_low), (high, count_high), &mut roots);
+        let (low, count_low) = (at(i), if i == 0 { total } else { below(counts, wave, at(i)) });
+        isolate((waves, counts), wave, (low, count_low), (high, count_high), &mut roots);
         count += count_low.abs_diff(count_high);
         (high, count_high) = (low, count_low);
         if roots.len() >= wanted {
@@ -179,8 +181,22 @@ fn undamped(
     (roots, count + total.abs_diff(count_high))
 }
 
+/// Modes with wavenumber `k` and a lower frequency.
+fn below(counts: &ModeCount, wave: SurfaceWave, k: f64) -> usize {
+    match wave {
+        SurfaceWave::Rayleigh => counts.in_plane(k),
+        SurfaceWave::Love => counts.across(k),
+    }
+}
+
 /// Pushes the root in every step of the count between `low` and `high`, from above.
-fn isolate(waves: &Waves, wave: SurfaceWave, low: (f64, usize), high: (f64, usize), roots: &mut Vec<f64>) {
+fn isolate(
+    (waves, counts): (&Waves, &ModeCount),
+    wave: SurfaceWave,
+    low: (f64, usize),
+    high: (f64, usize),
+    roots: &mut Vec<f64>,
+) {
     let steps = low.1.abs_diff(high.1);
     if steps == 0 {
         return;
@@ -204,9 +220,9 @@ fn isolate(waves: &Waves, wave: SurfaceWave, low: (f64, usize), high: (f64, usiz
         }
     }
     let middle = 0.5 * (low.0 + high.0);
-    let middle = (middle, staircase(waves, wave, middle));
-    isolate(waves, wave, middle, high, roots);
-    isolate(waves, wave, low, middle, roots);
+    let middle = (middle, below(counts, wave, middle));
+    isolate((waves, counts), wave, middle, high, roots);
+    isolate((waves, counts), wave, low, middle, roots);
 }
 
 /// dk/dω = −F_ω/F_k by five-point differences.

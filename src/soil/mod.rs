@@ -16,6 +16,7 @@ pub mod half_space;
 pub mod haskell;
 mod layer_stiffness;
 mod material;
+mod mode_count;
 pub mod off_axis;
 mod profile;
 pub mod sampled;
