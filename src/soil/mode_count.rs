@@ -263,7 +263,7 @@ mod tests {
                 }
             }
         }
-        println!("{worst:e?}");
-        assert!(worst.iter().all(|worst| *worst < 1e-11), "{worst:e?}");
+        println!("{worst:?}");
+        assert!(worst.iter().all(|worst| *worst < 1e-11), "{worst:?}");
     }
 }
