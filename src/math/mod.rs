@@ -11,3 +11,4 @@ pub mod maximum;
 pub mod polynomial;
 pub mod quadrature;
 pub mod root;
+pub mod scaling;

@@ -19,6 +19,7 @@ mod material;
 mod mode_count;
 pub mod off_axis;
 mod profile;
+mod real_secular;
 pub mod sampled;
 pub mod strip;
 pub mod thin_layer;

@@ -10,14 +10,14 @@ use std::f64::consts::PI;
 
 /// A symmetric 2 × 2 matrix: first, beside, last.
 #[derive(Clone, Copy, Debug)]
-struct Symmetric(f64, f64, f64);
+pub(super) struct Symmetric(pub f64, pub f64, pub f64);
 
 impl Symmetric {
     fn plus(self, other: Self) -> Self {
         Self(self.0 + other.0, self.1 + other.1, self.2 + other.2)
     }
 
-    fn determinant(self) -> f64 {
+    pub fn determinant(self) -> f64 {
         self.0 * self.2 - self.1 * self.1
     }
 
@@ -47,15 +47,15 @@ impl Symmetric {
 
 /// What a material without damping says at one ω.
 #[derive(Clone, Copy, Debug)]
-struct Elastic {
-    mu: f64,
-    ks2: f64,
-    kp2: f64,
-    gamma: f64,
+pub(super) struct Elastic {
+    pub mu: f64,
+    pub ks2: f64,
+    pub kp2: f64,
+    pub gamma: f64,
 }
 
 impl Elastic {
-    fn new(wave: &Wave) -> Self {
+    pub fn new(wave: &Wave) -> Self {
         Self { mu: wave.mu.re, ks2: wave.ks2.re, kp2: wave.kp2.re, gamma: wave.gamma.re }
     }
 
@@ -102,7 +102,7 @@ impl Elastic {
     }
 
     /// Stiffness at the surface of a half-space, k > k_s.
-    fn half_space(&self, k: f64) -> Symmetric {
+    pub fn half_space(&self, k: f64) -> Symmetric {
         let (p, s) = ((k * k - self.kp2).sqrt(), (k * k - self.ks2).sqrt());
         let inv_r = (p + s) / (p + self.gamma * s);
         Symmetric(self.mu * p * inv_r, self.mu * k * (inv_r - 2.0), self.mu * s * inv_r)
@@ -117,7 +117,7 @@ impl Elastic {
     }
 
     /// Anti-plane: μs, k > k_s.
-    fn half_space_across(&self, k: f64) -> f64 {
+    pub fn half_space_across(&self, k: f64) -> f64 {
         self.mu * (k * k - self.ks2).sqrt()
     }
 }
@@ -155,13 +155,14 @@ impl Vertical {
 }
 
 /// Layers and half-space at one ω > 0, without damping.
-pub(super) struct ModeCount {
-    /// Top first.
-    layers: Vec<(Elastic, f64)>,
-    half_space: Option<Elastic>,
+pub(super) struct RealWaves {
+    /// Waves and thickness, top first.
+    pub layers: Vec<(Elastic, f64)>,
+    /// None for a rigid base.
+    pub half_space: Option<Elastic>,
 }
 
-impl ModeCount {
+impl RealWaves {
     /// Of `waves` without damping.
     pub fn new(waves: &Waves) -> Self {
         Self {
