@@ -59,20 +59,8 @@ pub fn complex(
     start: Complex64,
     relative: f64,
 ) -> Option<Complex64> {
-    let beside = start * (1.0 + 1e-6);
-    let f_beside = f(beside);
-    secant(f, (beside, f_beside), start, relative)
-}
-
-/// A root of the complex `f` near `start` by the secant method, from a point beside it and its value.
-pub fn secant(
-    mut f: impl FnMut(Complex64) -> Complex64,
-    beside: (Complex64, Complex64),
-    start: Complex64,
-    relative: f64,
-) -> Option<Complex64> {
-    let ((mut a, mut f_a), mut b) = (beside, start);
-    let mut f_b = f(b);
+    let (mut a, mut b) = (start * (1.0 + 1e-6), start);
+    let (mut f_a, mut f_b) = (f(a), f(b));
     for _ in 0..40 {
         if f_b == Complex64::ZERO {
             return Some(b);

@@ -332,15 +332,17 @@ fn follow(
     (k, gap): (Complex64, f64),
     (from, to): (f64, f64),
 ) -> Option<Complex64> {
-    let there =
-        if to < 1.0 { Waves::new(&profile.with_loss_times(to), omega) } else { Waves::new(profile, omega) };
-    let there = Free::Damped(there);
-    let (value, reference) = there.secular(wave, k);
-    let f = |k: Complex64| there.relative(wave, k, reference);
-    // −F/F_k, with F(k) = 0 at the share `from`
-    let dk = 1e-6 * k;
-    let shift = -value * dk / (f(k + dk) - value);
-    let root = root::secant(f, (k, value), k + shift, 1e-12);
+    let free = |share: f64| {
+        let waves = Waves::new(&profile.with_loss_times(share), omega);
+        if share > 0.0 { Free::Damped(waves) } else { Free::Undamped(RealWaves::new(&waves)) }
+    };
+    // dk/dτ = −F_τ/F_k, with F(k) = 0 here
+    let (dk, part) = (1e-6 * k, 1e-3);
+    let (beside, reference) = free(from).secular(wave, k + dk);
+    let by_share = free(from + part * (to - from)).relative(wave, k, reference) / part;
+    let shift = -by_share * dk / beside;
+    let there = free(to);
+    let root = root::complex(|k| there.relative(wave, k, reference), k + shift, 1e-12);
     let allowed = (0.2 * shift.norm()).min(0.2 * gap) + 1e-9 * k.norm();
     let near = |root: &Complex64| (root - k - shift).norm() <= allowed;
     if let Some(root) = root.filter(near) {

@@ -73,10 +73,9 @@ impl Exponential {
         let half = if d.re < 0.0 { -0.5 * d } else { 0.5 * d };
         // sinh²(d/2)/(d/2)² and sinh d / d, decaying by e^{−|Re d|} already; the rest of the scale
         let rest = (2.0 * half.re - a.re).exp();
-        let (_, sinhc_half) = hyperbolic(half);
-        let (_, sinhc_d) = hyperbolic(2.0 * half);
+        let (cosh_half, sinhc_half) = hyperbolic(half);
         let half_square = 0.5 * sinhc_half * sinhc_half * rest;
-        let sinhc_d = sinhc_d * rest;
+        let sinhc_d = sinhc_half * cosh_half * rest;
         let (even2, odd1);
         if a.norm_sqr() < 1.0 {
             // Σ h_{n−2}(a², d²)/(2n)! and Σ h_{n−1}(a², d²)/(2n + 1)!, h_m = Σ a^{2i} d^{2(m−i)}
