@@ -73,14 +73,33 @@ pub enum GroundFieldError {
     },
 }
 
-/// Surface compliance at `k`; the vertical one alone costs half.
-fn response(ground: &dyn PreparedGround, k: f64, vertical_only: bool) -> SurfaceCompliance {
-    if vertical_only {
-        let zero = Complex64::ZERO;
-        SurfaceCompliance { u_zz: ground.u_zz(k), u_xx: zero, u_xz: zero, u_yy: zero }
-    } else {
-        ground.surface(k)
+/// Wavenumbers beyond which u_zz is its tail and one more term: so many times the slowest wave's, and over the top layer's thickness.
+/// (k_s/k)⁶ and e^{−2kh}(kh)² are 6e-5 and 1e-5 there.
+const SLOWEST: f64 = 5.0;
+const THIN: f64 = 8.0;
+
+/// Surface compliances at all `k`, which ascend; where the vertical one is enough the others are left out, and most of it is its tail
+/// A/k + C/k³ + E/k⁵, E taken where the tail begins.
+fn responses(ground: &dyn PreparedGround, k: &[f64], vertical_only: bool) -> Vec<SurfaceCompliance> {
+    if !vertical_only {
+        return ground.batch(k);
     }
+    let outline = ground.outline();
+    let slowest = SLOWEST * outline.wavenumbers.last().copied().unwrap_or(0.0);
+    let from = slowest.max(outline.top_thickness.map_or(0.0, |h| THIN / h));
+    // the first of the tail stands for its last term
+    let near = (k.partition_point(|k| *k < from) + 1).min(k.len());
+    let mut u_zz = ground.u_zz_many(&k[..near]);
+    if let (Some(k0), Some(g0)) = (k[..near].last(), u_zz.last()) {
+        let (a, c) = outline.tail;
+        let last = ((g0 * k0 - a) * k0 * k0 - c) * k0 * k0;
+        u_zz.extend(k[near..].iter().map(|k| {
+            let inverse = 1.0 / (k * k);
+            (a + (c + last * inverse) * inverse) / k
+        }));
+    }
+    let zero = Complex64::ZERO;
+    u_zz.into_iter().map(|u_zz| SurfaceCompliance { u_zz, u_xx: zero, u_xz: zero, u_yy: zero }).collect()
 }
 
 /// A profile of one material.
@@ -114,9 +133,11 @@ impl GroundField<'_> {
         // ℓ: where the lower half-space takes over, and resolved by the grid
         let blend = self.profile.depth().max(4.0 * grid.x.step).max(4.0 * grid.y.step).max(2.0);
 
+        let across: Vec<f64> =
+            (0..=grid.y.period_count / 2).map(|m| self.load.across(grid.y.beta(m))).collect();
         let spectrum = |n: usize, out: &mut [Vec<Complex64>]| {
             let beta_x = grid.x.beta(n);
-            self.row(beta_x, grid, quantities, blend, out)
+            self.row(beta_x, (grid, &across), quantities, blend, out)
         };
         let whole = (grid.y.period_count, grid.x.period_count);
         let periodic = inverse_2d(grid.x, grid.y, grid.rows, quantities.len(), whole, spectrum)?;
@@ -176,11 +197,11 @@ impl GroundField<'_> {
         }
     }
 
-    /// One row ũ(β_x, ·) less the closed-form parts.
+    /// One row ũ(β_x, ·) less the closed-form parts, of a unit load's spectrum `across` the track.
     fn row(
         &self,
         beta_x: f64,
-        grid: &Grid,
+        (grid, across): (&Grid, &[f64]),
         quantities: &[Quantity],
         blend: f64,
         out: &mut [Vec<Complex64>],
@@ -195,29 +216,28 @@ impl GroundField<'_> {
         let top = self.top().map(prepared).transpose()?;
         let count = grid.y.period_count;
         let vertical_only = quantities.iter().all(|q| q.is_vertical());
-        for m in 0..=count / 2 {
-            let beta_y = grid.y.beta(m);
-            // the origin itself: the mean over a small circle stands for it
-            if beta_x == 0.0 && m == 0 {
-                continue;
-            }
-            let k = beta_x.hypot(beta_y);
-            let fade = (-k * blend).exp();
-            let g = response(ground.as_ref(), k, vertical_only);
-            let far_g =
-                base.as_ref().filter(|_| fade > 1e-17).map(|b| response(b.as_ref(), k, vertical_only));
-            let top_g = top.as_ref().map(|t| response(t.as_ref(), k, vertical_only));
-            let load = force * self.load.across(beta_y);
+        // the origin itself: the mean over a small circle stands for it
+        let first = usize::from(beta_x == 0.0);
+        let k: Vec<f64> = (first..=count / 2).map(|m| beta_x.hypot(grid.y.beta(m))).collect();
+        let all = responses(ground.as_ref(), &k, vertical_only);
+        // e^{−kℓ} above rounding
+        let felt = k.partition_point(|k| k * blend < 39.0);
+        let far = base.map(|base| responses(base.as_ref(), &k[..felt], vertical_only));
+        let near = top.map(|top| responses(top.as_ref(), &k, vertical_only));
+        for (place, (g, k)) in all.iter().zip(&k).enumerate() {
+            let (m, beta_y) = (first + place, grid.y.beta(first + place));
+            let fade = if place < felt { (-k * blend).exp() } else { 0.0 };
+            let load = force * across[m];
             for (i, &quantity) in quantities.iter().enumerate() {
                 // mirror in y: β_y → −β_y turns sin θ
                 let cos = beta_x / k;
                 for (index, sin) in [(m, beta_y / k), ((count - m) % count, -beta_y / k)] {
-                    let mut value = load * component(quantity, &g, cos, sin);
-                    if let Some(far_g) = &far_g {
-                        value -= phases * fade * component(quantity, far_g, cos, sin);
+                    let mut value = load * component(quantity, g, cos, sin);
+                    if let Some(far) = far.as_ref().and_then(|far| far.get(place)) {
+                        value -= phases * fade * component(quantity, far, cos, sin);
                     }
-                    if let Some(top_g) = &top_g {
-                        value -= phases * (1.0 - fade) * component(quantity, top_g, cos, sin);
+                    if let Some(near) = &near {
+                        value -= phases * (1.0 - fade) * component(quantity, &near[place], cos, sin);
                     }
                     if quantity == Quantity::VerticalVelocity {
                         value *= I * omega;

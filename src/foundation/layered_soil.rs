@@ -12,6 +12,14 @@ const ENDS: [f64; 4] = [-19.0, -8.0, -4.5, -2.5];
 /// Pieces one unit wide: more than any load can ask for.
 const MORE: usize = 30;
 
+/// Steps of ln ω at which the lifted path is compared with the real axis, and how many; the lowest frequency of them, below which
+/// layers answer as at rest, over c_s/(depth + b) of the slowest.
+const STEP: f64 = 0.1;
+const STEPS: usize = 160;
+const SLOW: f64 = 0.05;
+/// Loss factor with which undamped ground is compared, whose integral on the real axis has no value.
+const COMPARED_LOSS: f64 = 0.01;
+
 /// Grounds that were dear to prepare, by frequency, wavenumbers and accuracy.
 type Prepared = HashMap<(u64, u64, u64, u64), Arc<Kept>>;
 
@@ -30,6 +38,8 @@ pub struct LayeredSoil {
     strip: Strip,
     /// Modes at one ω answer every β: they are kept. Empty for solvers without modes.
     prepared: Mutex<Prepared>,
+    /// Whether integrals may leave the real axis, at steps of ln ω; found when asked.
+    clear: Vec<OnceLock<bool>>,
 }
 
 impl std::fmt::Debug for LayeredSoil {
@@ -54,7 +64,8 @@ impl LayeredSoil {
     /// A half-width that is not finite and positive.
     pub fn new(profile: Profile, solver: Solver, strip: Strip) -> Result<Self, FoundationError> {
         positive("half_width", strip.half_width, "m")?;
-        Ok(Self { profile, solver, strip, prepared: Mutex::default() })
+        let clear = std::iter::repeat_with(OnceLock::new).take(STEPS).collect();
+        Ok(Self { profile, solver, strip, prepared: Mutex::default(), clear })
     }
 
     /// The ground.
@@ -127,13 +138,30 @@ impl LayeredSoil {
         (0.0, (0.25 * highest.log2()).ceil().exp2().powi(4))
     }
 
-    /// Refuses phase speeds at which undamped ground has a real pole.
-    fn check(&self, phase_speed: f64) -> Result<(), FoundationError> {
-        if !self.profile.is_undamped() {
-            return Ok(());
+    /// Whether the integral at `omega` may leave the real axis for the lifted path: both agreed at the frequencies around it.
+    fn lifts(&self, omega: f64) -> bool {
+        let lowest = self.profile.slowest_rayleigh_speed() / (self.profile.depth() + self.strip.half_width);
+        let step = ((omega.abs() / (SLOW * lowest)).ln() / STEP).max(0.0).floor();
+        // the compound matrices and flexibilities stay on the axis: they are witnesses
+        if self.solver != Solver::DirectStiffness || step + 2.0 > STEPS as f64 {
+            return false;
         }
+        let clear = |i: usize| {
+            let compare = || {
+                let omega = SLOW * lowest * (STEP * i as f64).exp();
+                let damped = self.profile.is_undamped().then(|| self.profile.with_loss(COMPARED_LOSS));
+                let ground = self.solver.prepare(damped.as_ref().unwrap_or(&self.profile), omega, &[]);
+                ground.is_ok_and(|ground| ground.lifts(self.strip))
+            };
+            *self.clear[i].get_or_init(compare)
+        };
+        clear(step as usize) && clear(step as usize + 1)
+    }
+
+    /// Refuses what has no value: undamped ground at phase speeds at which it has a real pole, unless a lifted path gave a value.
+    fn check(&self, phase_speed: f64) -> Result<(), FoundationError> {
         let slowest = self.profile.slowest_rayleigh_speed();
-        if phase_speed >= slowest {
+        if self.profile.is_undamped() && phase_speed >= slowest {
             return Err(FoundationError::Undamped { phase_speed, slowest });
         }
         Ok(())
@@ -143,8 +171,15 @@ impl LayeredSoil {
 impl Foundation for LayeredSoil {
     fn answer(&self, asked: Asked) -> Result<Stiffness, FoundationError> {
         let Asked { beta, omega, relative, .. } = asked;
-        self.check(if omega == 0.0 { 0.0 } else { (omega / beta).abs() })?;
-        let estimate = self.ground(asked)?.strip(beta, self.strip, relative);
+        let lifts = self.lifts(omega);
+        if !lifts {
+            self.check(if omega == 0.0 { 0.0 } else { (omega / beta).abs() })?;
+        }
+        let ground = self.ground(asked)?;
+        let estimate = match lifts {
+            true => ground.strip_lifted(beta, self.strip, relative),
+            false => ground.strip(beta, self.strip, relative),
+        };
         Ok(Stiffness {
             value: 1.0 / estimate.value,
             relative_error: estimate.error / estimate.value.norm(),

@@ -1,5 +1,7 @@
 //! Modified Bessel functions of the second kind and the integral of K₀, as the static strip tails need them.
 
+use std::sync::LazyLock;
+
 /// K₀, K₁ and ∫₀ˣ K₀ at one argument.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModifiedBessel {
@@ -19,14 +21,15 @@ pub struct ModifiedBessel {
 /// Source: Abramowitz & Stegun 9.6.24, 11.1.
 pub fn modified_bessel(x: f64) -> ModifiedBessel {
     const STEP: f64 = 0.2;
+    // cosh t − 1 = 2 sinh²(t/2)
+    static ABOVE_ONE: LazyLock<[f64; 200]> =
+        LazyLock::new(|| std::array::from_fn(|n| 2.0 * (0.5 * STEP * n as f64).sinh().powi(2)));
     let scale = (-x).exp();
     // e^{−x(cosh t − 1)} relative to the first term, which is 1
     let (mut k0, mut k1, mut ki1) = (0.5, 0.5, 0.5);
-    for n in 1..200 {
-        let t = STEP * f64::from(n);
-        let half = (0.5 * t).sinh();
-        let term = (-2.0 * x * half * half).exp();
-        let cosh = 1.0 + 2.0 * half * half;
+    for above_one in &ABOVE_ONE[1..] {
+        let term = (-x * above_one).exp();
+        let cosh = 1.0 + above_one;
         k0 += term;
         k1 += term * cosh;
         ki1 += term / cosh;

@@ -7,6 +7,7 @@ pub mod expression;
 pub mod filon;
 pub mod fourier;
 pub mod interpolation;
+pub(crate) mod lanes;
 pub mod maximum;
 pub mod polynomial;
 pub mod quadrature;

@@ -117,7 +117,7 @@ impl TrackOnFoundation<'_> {
             Grain::Smooth => None,
             Grain::Pieces(ends) => Some(ends),
         };
-        let (first, looser, loosest) = if ends.is_some() { (1e-2, 1000.0, 1.0) } else { (1e-6, 1.0, 1e-3) };
+        let (first, looser, loosest) = if ends.is_some() { (1e-2, 1000.0, 1.0) } else { (1e-4, 1.0, 1e-3) };
         // at rest there are no frequencies to share
         let ends = ends.filter(|_| speed != 0.0);
         let shared = ends.is_some();

@@ -1,7 +1,10 @@
 //! What ũ(β) becomes at short waves, taken out of quadratures and put back in closed form.
 
+use crate::math::expression::Polynomial;
 use crate::track::{Ratio, Stack};
 use num_complex::Complex64;
+
+const ZERO: Complex64 = Complex64::ZERO;
 
 /// Terms taken out.
 const TERMS: usize = 4;
@@ -52,11 +55,22 @@ impl Tail {
         Self { terms, scale }
     }
 
-    /// Of the rail of `stack` alone under a point: c₁ of one that shears, 1/(κGA − mv²); of others, and where v ≠ 0 of its loss, nothing.
+    /// Of the rail of `stack` alone under a point: of one that shears c₁ = 1/(κGA − mv²); of one that bends what it does on its first
+    /// link at rest, which leaves β⁻⁷ of what damps the link; of others nothing. Where v ≠ 0 its loss stays.
     pub fn of_rail(stack: &Stack, omega: f64, speed: f64) -> Self {
-        let shear = stack.members().first().and_then(|rail| rail.at_short_waves(omega, speed));
-        let (c, scale) = shear.unwrap_or((Complex64::ZERO, 1.0));
-        Self::of_two(c, Complex64::ZERO, scale)
+        let Some(rail) = stack.members().first() else { return Self::of_two(ZERO, ZERO, 1.0) };
+        if let Some((c, scale)) = rail.at_short_waves(omega, speed) {
+            return Self::of_two(c, ZERO, scale);
+        }
+        let link = stack.links().first().map_or(0.0, |link| link.stiffness(0.0).upper.re);
+        match rail.on_springs(link, omega, speed) {
+            Some(d) if link > 0.0 => {
+                let scale = (link / d[2].norm()).sqrt().sqrt();
+                let (numerator, denominator) = (Polynomial::constant(1.0), Polynomial::new(d.to_vec()));
+                Self::new(&Ratio { numerator, denominator }, scale)
+            }
+            _ => Self::of_two(ZERO, ZERO, 1.0),
+        }
     }
 
     /// Whether nothing is taken out.

@@ -102,12 +102,12 @@ impl<'a> TrackOnFoundation<'a> {
             // the envelope of the load's spectrum, not its zeros
             let load = (1.0 + (beta * self.half_length).powi(2)).sqrt().recip();
             let response = self.stack.respond(beta, omega, stiffness);
-            let u = (response.rail - tail.of(beta)).norm() * load;
-            sum += u * beta * STEP;
+            let left = (response.rail - tail.of(beta)).norm() * load;
+            sum += response.rail.norm() * load * beta * STEP;
             // what the foundation adds to the rail's deflection, q²/k, q the force handed down
             let added = response.force.norm_sqr() / stiffness.norm();
             unfelt.step(beta, added * beta <= 0.1 * ACCURACY * sum);
-            faded.step(beta, u * beta < 0.5 * ACCURACY * sum);
+            faded.step(beta, left * beta < 0.5 * ACCURACY * sum);
             let bounded = beta <= BETA_CAP || self.half_length > 0.0;
             if let Some(end) = faded.since().or((beta > enough).then_some(beta)) {
                 let felt = unfelt.first.unwrap_or(end).min(end);
@@ -131,7 +131,7 @@ impl<'a> TrackOnFoundation<'a> {
         }
     }
 
-    /// What falls as β⁻² of a rail that shears under a point.
+    /// What falls slowly of a rail under a point.
     pub(super) fn tail(&self, omega: f64, speed: f64) -> Tail {
         Tail::of_rail(self.stack, omega, speed)
     }

@@ -15,6 +15,8 @@ pub struct Material {
     p_modulus: f64,
     loss_shear: f64,
     loss_pressure: f64,
+    /// c_R [m/s], found once.
+    rayleigh_speed: f64,
 }
 
 /// Elastic constants in one of the three customary pairs, SI.
@@ -89,7 +91,9 @@ impl Material {
         if loss_pressure < least * (1.0 - 1e-12) {
             return Err(SoilError::NotPassive { loss_pressure, least });
         }
-        Ok(Self { density: rho, shear_modulus: mu, p_modulus: mu * modulus_ratio, loss_shear, loss_pressure })
+        let p_modulus = mu * modulus_ratio;
+        let rayleigh_speed = rayleigh_speed((mu / rho).sqrt(), mu / p_modulus);
+        Ok(Self { density: rho, shear_modulus: mu, p_modulus, loss_shear, loss_pressure, rayleigh_speed })
     }
 
     /// ρ [kg/m³]
@@ -127,6 +131,11 @@ impl Material {
         Self { loss_shear: factor * self.loss_shear, loss_pressure: factor * self.loss_pressure, ..*self }
     }
 
+    /// The same material with both loss factors `loss` ≥ 0.
+    pub fn with_loss(&self, loss: f64) -> Self {
+        Self { loss_shear: loss, loss_pressure: loss, ..*self }
+    }
+
     /// μ* = μ(1 + iη_s sgn ω) [Pa]
     pub fn complex_shear_modulus(&self, omega: f64) -> Complex64 {
         self.shear_modulus * Complex64::new(1.0, self.loss_shear * sign(omega))
@@ -139,23 +148,28 @@ impl Material {
 
     /// Rayleigh wave speed c_R [m/s] of a half-space of this material without damping.
     ///
-    /// Root of R(ξ) = ξ³ − 8ξ² + (24 − 16κ²)ξ − 16(1 − κ²), ξ = (c_R/c_s)², κ = c_s/c_p, by bisection; 1e-15.
     /// Source: Rayleigh 1885; test `analytic::rayleigh`.
     pub fn rayleigh_speed(&self) -> f64 {
-        let kappa2 = self.shear_modulus / self.p_modulus;
-        let cubic = |xi: f64| ((xi - 8.0) * xi + 24.0 - 16.0 * kappa2) * xi - 16.0 * (1.0 - kappa2);
-        // R(0) < 0 < R(1) = 1 and one root between
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if cubic(middle) < 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        self.c_s() * (0.5f64 * (low + high)).sqrt()
+        self.rayleigh_speed
     }
+}
+
+/// c_R [m/s] from `c_s` and κ² = (c_s/c_p)².
+///
+/// Root of R(ξ) = ξ³ − 8ξ² + (24 − 16κ²)ξ − 16(1 − κ²), ξ = (c_R/c_s)², by bisection; 1e-15.
+fn rayleigh_speed(c_s: f64, kappa2: f64) -> f64 {
+    let cubic = |xi: f64| ((xi - 8.0) * xi + 24.0 - 16.0 * kappa2) * xi - 16.0 * (1.0 - kappa2);
+    // R(0) < 0 < R(1) = 1 and one root between
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if cubic(middle) < 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    c_s * (0.5f64 * (low + high)).sqrt()
 }
 
 #[cfg(test)]

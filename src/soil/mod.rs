@@ -7,6 +7,7 @@
 //! | γ | μ/(λ + 2μ) = (c_s/c_p)² |
 //! | u_zz … | displacement per unit traction wave e^{i(ωt + kx)} [m/Pa], z down |
 
+mod batch;
 mod chain;
 mod compliance;
 pub mod direct_stiffness;
@@ -15,6 +16,7 @@ pub mod flexibility;
 pub mod half_space;
 pub mod haskell;
 mod layer_stiffness;
+mod lifted;
 mod material;
 mod mode_count;
 pub mod off_axis;
@@ -76,12 +78,27 @@ pub trait PreparedGround: Send + Sync {
         k.iter().map(|&k| self.surface(k)).collect()
     }
 
+    /// [`u_zz`](Self::u_zz) of many wavenumbers.
+    fn u_zz_many(&self, k: &[f64]) -> Vec<Complex64> {
+        k.iter().map(|&k| self.u_zz(k)).collect()
+    }
+
     /// What the strip integral must know of the ground besides G: its static tail and where G changes.
     fn outline(&self) -> &strip::Outline;
 
     /// 1/k_eq(β, ω) [m²/N] of a loaded strip, by quadrature unless the solver knows better.
     fn strip(&self, beta: f64, strip: Strip, relative: f64) -> Estimate {
         strip::quadrature(&|k| self.u_zz(k), self.outline(), beta, strip, relative)
+    }
+
+    /// Whether [`strip_lifted`](Self::strip_lifted) may be asked under `strip` at this ω, and is another way.
+    fn lifts(&self, _strip: Strip) -> bool {
+        false
+    }
+
+    /// As [`strip`](Self::strip) on a path lifted off the poles, a fifth of the evaluations: right where [`lifts`](Self::lifts).
+    fn strip_lifted(&self, beta: f64, strip: Strip, relative: f64) -> Estimate {
+        self.strip(beta, strip, relative)
     }
 
     /// Displacement [m²/N] at distance `y` [m] from the centre line of a strip of `half_width` [m] under a unit force per

@@ -83,11 +83,21 @@ impl Profile {
 
     /// The same ground with every loss factor × `factor`, 0 to 1.
     pub fn with_loss_times(&self, factor: f64) -> Self {
-        let layer = |l: &Layer| Layer { material: l.material.with_loss_times(factor), ..*l };
+        self.of(|material| material.with_loss_times(factor))
+    }
+
+    /// The same ground with every loss factor `loss` ≥ 0.
+    pub fn with_loss(&self, loss: f64) -> Self {
+        self.of(|material| material.with_loss(loss))
+    }
+
+    /// The same geometry of other materials.
+    fn of(&self, other: impl Fn(&Material) -> Material) -> Self {
+        let layer = |l: &Layer| Layer { material: other(&l.material), ..*l };
         Self {
             layers: self.layers.iter().map(layer).collect(),
-            base: match self.base {
-                Base::HalfSpace(material) => Base::HalfSpace(material.with_loss_times(factor)),
+            base: match &self.base {
+                Base::HalfSpace(material) => Base::HalfSpace(other(material)),
                 Base::Rigid => Base::Rigid,
             },
         }

@@ -186,7 +186,7 @@ struct Kernel<'a> {
 /// The tail A/κ + B/κ³, κ² = k² + κ₀², whose integrals are known: (A, B).
 ///
 /// A/k + C/k³ = A/κ + (C + A κ₀²/2)/κ³ + O(k⁻⁵)
-fn tail(outline: &Outline, kappa0: f64) -> (Complex64, Complex64) {
+pub(super) fn tail(outline: &Outline, kappa0: f64) -> (Complex64, Complex64) {
     let (a, c) = outline.tail;
     (a, c + 0.5 * a * kappa0 * kappa0)
 }

@@ -182,6 +182,18 @@ impl Member {
         self.shears().then(|| (limit, (shear / self.bending_stiffness).sqrt()))
     }
 
+    /// d of ũ = 1/d(X), X = β², of a beam that bends without shear on springs of `stiffness` k [N/m²], under a load of `omega` [rad/s]
+    /// at `speed` v [m/s]: (EI − ρIv²) X² + (N − mv² − ρIω²) X + k − mω², with its loss where the load stands; None of
+    /// others.
+    pub fn on_springs(&self, stiffness: f64, omega: f64, speed: f64) -> Option<[Complex64; 3]> {
+        let loss = if speed == 0.0 { self.loss(omega) } else { Complex64::ONE };
+        let (inertia, mass) = (self.rotary_inertia, self.mass);
+        let tension = self.tension(0.0) - mass * speed * speed - inertia * omega * omega;
+        let bending = self.bending_stiffness * loss - inertia * speed * speed;
+        (self.bends() && !self.shears())
+            .then(|| [(stiffness - mass * omega * omega).into(), tension, bending])
+    }
+
     /// Resists bending.
     pub fn bends(&self) -> bool {
         self.bending_stiffness > 0.0

@@ -1,8 +1,9 @@
 //! Poles close to the real axis: the strip integral of lightly damped ground, on the axis and off it.
 
 use crate::common::profile;
+use groundwave::foundation::{Foundation, FoundationError, LayeredSoil};
 use groundwave::math::quadrature::{Tolerance, integrate};
-use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Profile, Strip, half_space};
+use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Profile, Solver, Strip, half_space};
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
@@ -49,4 +50,28 @@ fn a_pole_on_the_axis_is_reported() {
     let strip = Strip { half_width: 1.25, compatibility: Compatibility::Centre };
     let prepared = DirectStiffness.prepare(&ground(0.0), 60.0, &[]).unwrap();
     assert!(!prepared.strip(0.2, strip, 1e-8).converged);
+}
+
+/// Limiting absorption: undamped ground under a foundation has the stiffness to which damped ground tends, radiation and all.
+#[test]
+fn undamped_ground_is_the_limit_of_damped_ground() {
+    let strip = Strip { half_width: 1.25, compatibility: Compatibility::Centre };
+    let stiffness = |eta: f64, beta: f64, omega: f64, solver: Solver| {
+        LayeredSoil::new(ground(eta), solver, strip).unwrap().stiffness_to(beta, omega, 1e-8)
+    };
+    for (beta, omega) in [(0.2, 60.0), (0.5, 120.0), (1.0, 300.0), (1.0, 60.0)] {
+        let limit = stiffness(0.0, beta, omega, Solver::DirectStiffness).unwrap().value;
+        let away = |eta: f64| {
+            (stiffness(eta, beta, omega, Solver::DirectStiffness).unwrap().value - limit).norm()
+                / limit.norm()
+        };
+        let (coarse, fine) = (away(1e-3), away(1e-4));
+        println!("β = {beta}, ω = {omega}: {limit:.4e}, {coarse:.2e} at 1e-3, {fine:.2e} at 1e-4");
+        // in proportion to η: measured 9.9 to 10.1 times less for a tenth of it; waves are shed where ω/β exceeds theirs
+        assert!(fine < 1e-3 && (coarse / fine - 10.0).abs() < 0.5, "{coarse:e} {fine:e}");
+        assert!((limit.im > 1e-3 * limit.re) == (omega / beta > 150.0), "{limit}");
+    }
+    // what stays on the real axis has no value there
+    let refused = stiffness(0.0, 0.2, 60.0, Solver::Flexibility);
+    assert!(matches!(refused, Err(FoundationError::Undamped { .. })), "{refused:?}");
 }
