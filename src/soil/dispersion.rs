@@ -14,6 +14,7 @@ use super::real_secular;
 use super::transfer_matrix::Waves;
 use super::wave::Wave;
 use super::{Profile, chain};
+use crate::count::{self, Work};
 use crate::math::root;
 use nalgebra::SMatrix;
 use num_complex::Complex64;
@@ -134,6 +135,7 @@ enum Free {
 impl Free {
     /// The Rayleigh or Love function at `k`, times e^{second}.
     fn secular(&self, wave: SurfaceWave, k: Complex64) -> (Complex64, f64) {
+        count::add(Work::Secular, 1);
         let real = |(value, scale): (f64, f64)| (value.into(), scale);
         match (self, wave) {
             (Self::Damped(waves), SurfaceWave::Rayleigh) => waves.rayleigh(k),
@@ -199,6 +201,7 @@ fn undamped(
 
 /// Modes with wavenumber `k` and a lower frequency.
 fn below(waves: &RealWaves, wave: SurfaceWave, k: f64) -> usize {
+    count::add(Work::ModeCounts, 1);
     match wave {
         SurfaceWave::Rayleigh => waves.in_plane(k),
         SurfaceWave::Love => waves.across(k),
@@ -221,6 +224,7 @@ fn isolate(
     if steps == 1 && !narrow {
         let mut reference = None;
         let f = |k: f64| {
+            count::add(Work::Secular, 1);
             let (value, scale) = match wave {
                 SurfaceWave::Rayleigh => real_secular::rayleigh(waves, k),
                 SurfaceWave::Love => real_secular::love(waves, k),
