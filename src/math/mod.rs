@@ -12,3 +12,4 @@ pub mod maximum;
 pub mod polynomial;
 pub mod quadrature;
 pub mod root;
+pub mod scaling;
