@@ -7,7 +7,7 @@ use crate::foundation::{Among, Asked, Foundation, FoundationError, Grain, Stiffn
 use crate::math::complex::reciprocal;
 use crate::math::interpolation::{Interpolant, NODES};
 use num_complex::Complex64;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// Speeds [m/s] at which waves of soils may meet the line: ends of the first pieces, which are halved where needed. They save a
 /// quarter of the values and change nothing else.
@@ -153,9 +153,19 @@ impl TrackOnFoundation<'_> {
             Asked { beta: axis.beta(x), omega, relative: first, among: Some(among) }
         };
         let count = Cell::new(0);
-        let mut asker =
+        let asker =
             Asker { foundation: self.foundation, missed: 0.0, count: &count, known: Known::default() };
+        let asker = RefCell::new(asker);
         let (mut highest, mut last) = (f64::NEG_INFINITY, Complex64::ONE);
+        let compliance = |x: f64, asked: Asked| -> Result<Complex64, FoundationError> {
+            let wanted = |k: Complex64| (0.1 * allowed(asked.beta, k) * k.norm()).clamp(1e-8, loosest);
+            Ok(1.0 / asker.borrow_mut().as_felt(x, asked, wanted)?)
+        };
+        // what is kept by ω is asked at its own ω alone
+        let control = |x: f64| {
+            let among = Among { omega: (0.0, 0.0), beta: extent.end };
+            (!shared).then(|| compliance(x, ask(x, among))).transpose()
+        };
         let compliances = |nodes: &[f64; NODES]| -> Result<[Complex64; NODES], FoundationError> {
             if shared && allowed(axis.beta(nodes[0]), 1.0 / last).is_infinite() {
                 // any error is borne: the last one will do
@@ -170,8 +180,7 @@ impl TrackOnFoundation<'_> {
             self.foundation.begin(&asked);
             let mut values = [Complex64::ONE; NODES];
             for ((x, asked), value) in nodes.iter().zip(asked).zip(&mut values) {
-                let wanted = |k: Complex64| (0.1 * allowed(asked.beta, k) * k.norm()).clamp(1e-8, loosest);
-                *value = 1.0 / asker.as_felt(*x, asked, wanted)?;
+                *value = compliance(*x, asked)?;
             }
             if nodes[NODES - 1] > highest {
                 (highest, last) = (nodes[NODES - 1], values[NODES - 1]);
@@ -179,10 +188,10 @@ impl TrackOnFoundation<'_> {
             Ok(values)
         };
         let error = |x: f64, compliance: Complex64| looser * allowed(axis.beta(x), 1.0 / compliance);
-        let table = Interpolant::bounded(compliances, &points, error, || count.get() < MOST)?;
+        let table = Interpolant::controlled(compliances, control, &points, error, || count.get() < MOST)?;
         Ok(Line {
             drive,
-            worst: table.worst.max(asker.missed),
+            worst: table.worst.max(asker.borrow().missed),
             source: Source::Table(table, axis),
             count: count.get(),
         })
