@@ -198,7 +198,7 @@ impl PreparedGround for DirectStiffnessAt {
     }
 
     fn lifts(&self, strip: Strip) -> bool {
-        self.lifted().is_clear(&|k| self.u_zz(k), strip)
+        self.lifted().is_clear(&|k| self.u_zz_many(k), strip)
     }
 
     /// On the real axis where the path does not settle.

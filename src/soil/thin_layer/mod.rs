@@ -228,7 +228,7 @@ impl PreparedGround for ThinLayerAt {
     fn strip(&self, beta: f64, strip: Strip, relative: f64) -> Estimate {
         match self.modes_at(beta.abs()) {
             Some(modes) => self.estimate(modes.strip(beta, strip), modes),
-            None => quadrature(&|k| self.u_zz(k), &self.outline, beta, strip, relative),
+            None => quadrature(&|k| self.u_zz_many(k), &self.outline, beta, strip, relative),
         }
     }
 
@@ -236,7 +236,7 @@ impl PreparedGround for ThinLayerAt {
     fn receiver(&self, beta: f64, half_width: f64, y: f64, relative: f64) -> Estimate {
         match self.modes_at(beta.abs()) {
             Some(modes) => self.estimate(modes.receiver(beta, half_width, y), modes),
-            None => receiver_quadrature(&|k| self.u_zz(k), &self.outline, beta, half_width, y, relative),
+            None => receiver_quadrature(&|k| self.u_zz_many(k), &self.outline, beta, half_width, y, relative),
         }
     }
 
@@ -245,7 +245,9 @@ impl PreparedGround for ThinLayerAt {
             Some(modes) => {
                 y.iter().map(|y| self.estimate(modes.receiver(beta, half_width, *y), modes)).collect()
             }
-            None => receivers_quadrature(&|k| self.u_zz(k), &self.outline, beta, half_width, y, relative),
+            None => {
+                receivers_quadrature(&|k| self.u_zz_many(k), &self.outline, beta, half_width, y, relative)
+            }
         }
     }
 
