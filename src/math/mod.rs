@@ -9,7 +9,6 @@ pub mod fourier;
 pub mod interpolation;
 pub(crate) mod lanes;
 pub mod maximum;
-pub mod nonuniform;
 pub mod polynomial;
 pub mod quadrature;
 pub mod root;

@@ -188,31 +188,6 @@ impl MovingSpectrum<'_> {
     }
 }
 
-/// The rail under many loads at one speed, ready for any position: they are summed over waves, not over positions.
-#[derive(Clone, Debug)]
-pub struct MovingLoads {
-    waves: Waves,
-    tail: Tail,
-    loads: Vec<(f64, f64)>,
-}
-
-impl MovingLoads {
-    /// Deflection [m] at `count` positions x′ from `from` in steps of `step` [m].
-    pub fn shape(&self, from: f64, step: f64, count: usize) -> Vec<f64> {
-        let mut shape = self.waves.shape(from, step, count);
-        let reach = self.tail.reach();
-        for (offset, load) in &self.loads {
-            // where the tail has not faded
-            let place = |x: f64| ((x - offset - from) / step).clamp(0.0, count as f64) as usize;
-            let (first, last) = (place(-reach), place(reach + step));
-            for (i, w) in shape.iter_mut().enumerate().take(last).skip(first) {
-                *w += load * self.tail.at(from + step * i as f64 + offset).re;
-            }
-        }
-        shape
-    }
-}
-
 impl MovingLoad {
     /// Whether the accuracy was reached.
     pub fn converged(&self) -> bool {
@@ -231,11 +206,6 @@ impl MovingLoad {
             shape.iter_mut().enumerate().for_each(|(i, w)| *w += self.tail.at(from + step * i as f64).re);
         }
         shape
-    }
-
-    /// The rail under the loads P [N] at x′ = −a [m], given as (a, P).
-    pub fn under(&self, loads: &[(f64, f64)]) -> MovingLoads {
-        MovingLoads { waves: self.rail.under(loads), tail: self.tail, loads: loads.to_vec() }
     }
 
     /// Rail and base at `count` positions from `from` in steps of `step` [m].

@@ -78,11 +78,6 @@ impl Tail {
         self.terms.iter().all(|c| *c == Complex64::ZERO)
     }
 
-    /// How far from the force [m] it is above rounding.
-    pub fn reach(&self) -> f64 {
-        if self.is_none() { 0.0 } else { 45.0 / self.scale }
-    }
-
     /// At wavenumber `beta` [rad/m], [m per N/m].
     pub fn of(&self, beta: f64) -> Complex64 {
         let y = (beta * beta + self.scale * self.scale).recip();

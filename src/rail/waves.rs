@@ -2,12 +2,10 @@
 
 use crate::count::{self, Work};
 use crate::math::lanes::{LANES, sin_cos};
-use crate::math::nonuniform;
 use crate::math::quadrature::{Node, Rule};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
 use num_complex::Complex64;
-use std::f64::consts::TAU;
 
 /// Waves of wavenumber β and amplitude u.
 #[derive(Clone, Debug, Default)]
@@ -49,17 +47,13 @@ impl Waves {
         self.iter().map(|(beta, u)| u * Complex64::cis(beta * x)).sum()
     }
 
-    /// Re Σ u e^{iβx} at `count` positions from `from` in steps of `step` [m]: wave by wave where there are few of them, else transformed.
+    /// Re Σ u e^{iβx} at `count` positions from `from` in steps of `step` [m], eight positions at a time; e^{iβx} by rotation, restarted
+    /// every 2048 positions so that its rounding stays below 1e-13.
     pub fn shape(&self, from: f64, step: f64, count: usize) -> Vec<f64> {
-        /// Positions from which the transform is the faster way.
-        const MANY: usize = 64;
-        if count > MANY && self.beta.iter().all(|beta| (beta * step).abs() < TAU) {
-            return nonuniform::waves(self.iter(), from, step, count);
-        }
+        count::add(Work::NodePositions, self.beta.len() * count);
         dispatch!(Level::new(), simd => self.shape_in_lanes(simd, from, step, count))
     }
 
-    /// Eight positions at a time; e^{iβx} by rotation, restarted every 2048 positions so that its rounding stays below 1e-13.
     #[inline(always)]
     fn shape_in_lanes<S: Simd>(&self, simd: S, from: f64, step: f64, count: usize) -> Vec<f64> {
         const RESTART: usize = 256;
@@ -80,25 +74,5 @@ impl Waves {
         let mut positions: Vec<f64> = sum.iter().flat_map(|eight| eight.as_slice().iter().copied()).collect();
         positions.truncate(count);
         positions
-    }
-
-    /// The same waves under many loads: each times Σ P e^{iβa} of the loads P [N] at x′ = −a [m], given as (a, P).
-    pub fn under(&self, loads: &[(f64, f64)]) -> Self {
-        dispatch!(Level::new(), simd => self.under_in_lanes(simd, loads))
-    }
-
-    #[inline(always)]
-    fn under_in_lanes<S: Simd>(&self, simd: S, loads: &[(f64, f64)]) -> Self {
-        let mut u = Vec::with_capacity(self.u.len());
-        for (betas, values) in self.beta.chunks(LANES).zip(self.u.chunks(LANES)) {
-            let beta = f64x8::from_fn(simd, |i| betas[i.min(betas.len() - 1)]);
-            let (mut re, mut im) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 0.0));
-            for (offset, load) in loads {
-                let (sin, cos) = sin_cos(beta * *offset);
-                (re, im) = (cos.mul_add(*load, re), sin.mul_add(*load, im));
-            }
-            u.extend(values.iter().enumerate().map(|(i, u)| u * Complex64::new(re[i], im[i])));
-        }
-        Self { beta: self.beta.clone(), u }
     }
 }
