@@ -6,6 +6,7 @@
 use ndarray::Array2;
 use num_complex::Complex64;
 use rayon::prelude::*;
+use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 
 /// A uniform axis of positions with the wavenumbers of its transform.
@@ -152,7 +153,12 @@ pub fn harmonics(mut samples: Vec<Complex64>) -> Vec<Complex64> {
 
 /// Σ g_n e^{inφ_i} at φ_i = 2πi/N from N harmonics in the order of [`harmonics`].
 pub fn from_harmonics(mut harmonics: Vec<Complex64>) -> Vec<Complex64> {
-    rustfft::FftPlanner::new().plan_fft_inverse(harmonics.len()).process(&mut harmonics);
+    thread_local! {
+        // keeps the factors of every size it has seen: they cost more than the transform
+        static PLANS: RefCell<rustfft::FftPlanner<f64>> = RefCell::new(rustfft::FftPlanner::new());
+    }
+    let plan = PLANS.with_borrow_mut(|plans| plans.plan_fft_inverse(harmonics.len()));
+    plan.process(&mut harmonics);
     harmonics
 }
 

@@ -23,7 +23,7 @@ pub fn by_parabolas<E>(
         let near = !((vertex - best.0).abs() >= 0.4 * width && vertex > left.0 && vertex < right.0);
         let x = match step % 3 {
             // where parabolas crawl, as along the sides of a tent
-            0 => 0.5 * (best.0 + if longer > 0.0 { right.0 } else { left.0 }),
+            0 if !near => 0.5 * (best.0 + if longer > 0.0 { right.0 } else { left.0 }),
             _ if near => best.0 + longer * 0.45 * width,
             _ => vertex,
         };

@@ -6,6 +6,7 @@ pub mod decimal;
 pub mod expression;
 pub mod filon;
 pub mod fourier;
+pub(crate) mod gridding;
 pub mod interpolation;
 pub(crate) mod lanes;
 pub mod maximum;

@@ -20,7 +20,7 @@ pub use drive::Drive;
 pub use harmonic_load::HarmonicLoad;
 pub(crate) use harmonic_load::{NEGLIGIBLE, decay};
 pub(crate) use moving_load::panels;
-pub use moving_load::{MovingLoad, MovingSpectrum, Shape};
+pub use moving_load::{MovingLoad, MovingSpectrum, RailLoad, RailWaves, Shape};
 pub use periodic::Landmark;
 pub use receptance::{Answer, Method, Moving, RailError, Receptance};
 pub(crate) use track_on_foundation::{BETA_CAP, BETA_MIN};

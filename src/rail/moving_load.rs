@@ -11,7 +11,7 @@ use super::drive::Line;
 use super::tail::Tail;
 use super::track_on_foundation::{ACCURACY, BETA_MIN, InteractionError, TrackOnFoundation};
 use super::waves::Waves;
-use crate::math::quadrature::{Adaptive, Tolerance};
+use crate::math::quadrature::{Adaptive, Rule, Tolerance};
 use crate::soil::strip::sinc;
 use crate::track::{Displacements, Stack};
 use num_complex::Complex64;
@@ -25,17 +25,34 @@ const MAX_COUNT: usize = 600_000;
 pub struct MovingLoad {
     /// v [m/s]
     pub speed: f64,
-    /// ũ/π of rail and base [m/N].
-    rail: Waves,
+    rail: RailWaves,
+    /// ũ/π of the base [m/N].
     base: Waves,
-    /// What of the rail is not in its waves.
-    tail: Tail,
     /// Error over what was allowed, where it is largest: at most 1 where the accuracy was reached.
     pub worst: f64,
     /// Evaluations of the ground, bounded however little it damps: where that cut the work short, `worst` is above 1.
     pub count: usize,
+}
+
+/// The rail alone under a unit load at one speed.
+#[derive(Clone, Debug)]
+pub struct RailLoad {
+    waves: RailWaves,
+    /// As of a [`MovingLoad`].
+    pub worst: f64,
     /// Of the table of the ground.
     pieces: Vec<f64>,
+}
+
+/// The rail under loads P_j that stand a_j behind the first, w(x′) = Σ P_j w₁(x′ + a_j).
+#[derive(Clone, Debug)]
+pub struct RailWaves {
+    /// ũ/π Σ P_j e^{iβa_j} [m]
+    waves: Waves,
+    /// What of a unit load is not in its waves.
+    tail: Tail,
+    /// a_j [m], P_j [N]
+    loads: Vec<(f64, f64)>,
 }
 
 /// Displacements of rail and base at uniform positions, per unit load [m/N].
@@ -76,7 +93,7 @@ impl TrackOnFoundation<'_> {
     fn spectrum_near(
         &self,
         speed: f64,
-        near: Option<&MovingLoad>,
+        near: Option<&RailLoad>,
     ) -> Result<MovingSpectrum<'_>, InteractionError> {
         self.check(0.0, speed)?;
         let extent = self.extent(speed)?;
@@ -100,42 +117,33 @@ impl TrackOnFoundation<'_> {
     /// # Errors
     /// A foundation that cannot answer; a response that diverges.
     pub fn moving(&self, speed: f64, reach: f64) -> Result<MovingLoad, InteractionError> {
-        self.moving_near(speed, reach, None)
+        let spectrum = self.spectrum(speed)?;
+        let tail = self.tail(0.0, speed);
+        let (rule, missed) = spectrum.rail(&tail, reach)?;
+        Ok(MovingLoad {
+            speed,
+            rail: RailWaves::of_one(&rule, tail),
+            base: Waves::new(&rule, 1.0 / PI, |beta, _| spectrum.at(beta).base),
+            worst: missed,
+            count: spectrum.line.count,
+        })
     }
 
-    /// The same, begun where that of a speed `near` by ended: a quarter of the ground's values less.
+    /// The rail alone, begun where that of a speed `near` by ended: a quarter of the ground's values less.
     ///
     /// # Errors
     /// As `moving`.
-    pub fn moving_near(
+    pub fn rail_near(
         &self,
         speed: f64,
         reach: f64,
-        near: Option<&MovingLoad>,
-    ) -> Result<MovingLoad, InteractionError> {
+        near: Option<&RailLoad>,
+    ) -> Result<RailLoad, InteractionError> {
         let spectrum = self.spectrum_near(speed, near)?;
-        let beta_max = spectrum.beta_max;
-        let points = panels(beta_max, reach);
-        let mut integral = Adaptive::new();
         let tail = self.tail(0.0, speed);
-        let mut integrand = |beta: f64| spectrum.at(beta).rail - tail.of(beta);
-        integral.add(&mut integrand, &points);
-        let tolerance = Tolerance { relative: ACCURACY, absolute: 0.0, max_count: MAX_COUNT };
-        let estimate = integral.refine(&mut integrand, PI * tail.at(0.0), tolerance);
-        let error = estimate.error / (estimate.value + PI * tail.at(0.0)).norm();
-        if !estimate.converged && (error.is_nan() || error > 1e-3) {
-            return Err(InteractionError::Diverges { speed, error });
-        }
-        let rule = integral.into_rule();
-        Ok(MovingLoad {
-            speed,
-            rail: Waves::new(&rule, 1.0 / PI, |_, rail| rail),
-            tail,
-            base: Waves::new(&rule, 1.0 / PI, |beta, _| spectrum.at(beta).base),
-            worst: spectrum.worst().max(estimate.miss(ACCURACY)),
-            count: spectrum.line.count,
-            pieces: spectrum.line.pieces().to_vec(),
-        })
+        let (rule, worst) = spectrum.rail(&tail, reach)?;
+        let pieces = spectrum.line.pieces().to_vec();
+        Ok(RailLoad { waves: RailWaves::of_one(&rule, tail), worst, pieces })
     }
 }
 
@@ -150,6 +158,20 @@ pub struct MovingSpectrum<'a> {
 }
 
 impl MovingSpectrum<'_> {
+    /// The integral of what the rail does beside its `tail`, for positions with |x′| ≤ `reach` [m], and by what the accuracy was missed.
+    fn rail(&self, tail: &Tail, reach: f64) -> Result<(Rule, f64), InteractionError> {
+        let mut integral = Adaptive::new();
+        let mut integrand = |beta: f64| self.at(beta).rail - tail.of(beta);
+        integral.add(&mut integrand, &panels(self.beta_max, reach));
+        let tolerance = Tolerance { relative: ACCURACY, absolute: 0.0, max_count: MAX_COUNT };
+        let estimate = integral.refine(&mut integrand, PI * tail.at(0.0), tolerance);
+        let error = estimate.error / (estimate.value + PI * tail.at(0.0)).norm();
+        if !estimate.converged && (error.is_nan() || error > 1e-3) {
+            return Err(InteractionError::Diverges { speed: self.speed, error });
+        }
+        Ok((integral.into_rule(), self.worst().max(estimate.miss(ACCURACY))))
+    }
+
     /// Displacements per unit load [m per N/m], and the force handed down [1], at `beta` ≥ 0 [rad/m].
     pub fn at(&self, beta: f64) -> Displacements {
         let stiffness = self.line.stiffness(beta.max(BETA_MIN));
@@ -196,16 +218,7 @@ impl MovingLoad {
 
     /// Rail displacement per unit load at `x` = x′ [m], positive ahead of the load [m/N].
     pub fn rail(&self, x: f64) -> f64 {
-        self.rail.at(x).re + self.tail.at(x).re
-    }
-
-    /// The rail alone at `count` positions from `from` in steps of `step` [m].
-    pub fn rail_shape(&self, from: f64, step: f64, count: usize) -> Vec<f64> {
-        let mut shape = self.rail.shape(from, step, count);
-        if !self.tail.is_none() {
-            shape.iter_mut().enumerate().for_each(|(i, w)| *w += self.tail.at(from + step * i as f64).re);
-        }
-        shape
+        self.rail.waves.at(x).re + self.rail.tail.at(x).re
     }
 
     /// Rail and base at `count` positions from `from` in steps of `step` [m].
@@ -213,8 +226,38 @@ impl MovingLoad {
         Shape {
             from,
             step,
-            rail: self.rail_shape(from, step, count),
+            rail: self.rail.shape(from, step, count),
             base: self.base.shape(from, step, count),
         }
+    }
+}
+
+impl RailLoad {
+    /// The same under `loads` P_j [N], each a_j [m] behind the first: (a_j, P_j).
+    pub fn under(&self, loads: Vec<(f64, f64)>) -> RailWaves {
+        RailWaves { waves: self.waves.waves.under(&loads), tail: self.waves.tail, loads }
+    }
+}
+
+impl RailWaves {
+    fn of_one(rule: &Rule, tail: Tail) -> Self {
+        Self { waves: Waves::new(rule, 1.0 / PI, |_, rail| rail), tail, loads: vec![(0.0, 1.0)] }
+    }
+
+    /// Displacement [m] at `count` positions from `from` in steps of `step` [m] seen from the first load, positive down.
+    pub fn shape(&self, from: f64, step: f64, count: usize) -> Vec<f64> {
+        let mut shape = self.waves.shape(from, step, count);
+        if self.tail.is_none() {
+            return shape;
+        }
+        let reach = self.tail.reach();
+        for (behind, load) in &self.loads {
+            // |x′ + a| ≤ reach
+            let place = |x: f64| ((x - behind - from) / step).ceil().clamp(0.0, count as f64) as usize;
+            for i in place(-reach)..place(reach) {
+                shape[i] += load * self.tail.at(from + step * i as f64 + behind).re;
+            }
+        }
+        shape
     }
 }

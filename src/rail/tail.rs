@@ -78,6 +78,11 @@ impl Tail {
         self.terms.iter().all(|c| *c == Complex64::ZERO)
     }
 
+    /// Distance [m] beyond which less than e⁻³⁶ z³ of it is left, 1e-11.
+    pub fn reach(&self) -> f64 {
+        36.0 / self.scale
+    }
+
     /// At wavenumber `beta` [rad/m], [m per N/m].
     pub fn of(&self, beta: f64) -> Complex64 {
         let y = (beta * beta + self.scale * self.scale).recip();

@@ -1,11 +1,15 @@
 //! A settled integral over β as a sum of waves along the track: Σ u e^{iβx}.
 
 use crate::count::{self, Work};
+use crate::math::gridding::{SPREAD, sum_of_waves};
 use crate::math::lanes::{LANES, sin_cos};
 use crate::math::quadrature::{Node, Rule};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
 use num_complex::Complex64;
+
+/// Positions up to which they are cheaper one by one.
+const FEW: usize = 64;
 
 /// Waves of wavenumber β and amplitude u.
 #[derive(Clone, Debug, Default)]
@@ -25,7 +29,7 @@ impl Waves {
     }
 
     /// β and u of every wave.
-    pub fn iter(&self) -> impl Iterator<Item = (f64, Complex64)> {
+    pub fn iter(&self) -> impl Iterator<Item = (f64, Complex64)> + Clone {
         self.beta.iter().copied().zip(self.u.iter().copied())
     }
 
@@ -47,9 +51,39 @@ impl Waves {
         self.iter().map(|(beta, u)| u * Complex64::cis(beta * x)).sum()
     }
 
-    /// Re Σ u e^{iβx} at `count` positions from `from` in steps of `step` [m], eight positions at a time; e^{iβx} by rotation, restarted
-    /// every 2048 positions so that its rounding stays below 1e-13.
+    /// The waves of many loads, Σ P_j e^{iβa_j} for each: `loads` P_j [N] at a_j [m] behind the first.
+    pub fn under(&self, loads: &[(f64, f64)]) -> Self {
+        count::add(Work::NodePositions, self.beta.len() * loads.len());
+        dispatch!(Level::new(), simd => self.under_in_lanes(simd, loads))
+    }
+
+    #[inline(always)]
+    fn under_in_lanes<S: Simd>(&self, simd: S, loads: &[(f64, f64)]) -> Self {
+        let mut u = self.u.clone();
+        for (beta, u) in self.beta.chunks(LANES).zip(u.chunks_mut(LANES)) {
+            let beta = f64x8::from_fn(simd, |i| beta.get(i).copied().unwrap_or_default());
+            let zero = f64x8::splat(simd, 0.0);
+            let (re, im) = loads.iter().fold((zero, zero), |(re, im), (behind, load)| {
+                let (sin, cos) = sin_cos(beta * *behind);
+                (re + cos * *load, im + sin * *load)
+            });
+            u.iter_mut().enumerate().for_each(|(i, u)| *u *= Complex64::new(re[i], im[i]));
+        }
+        Self { beta: self.beta.clone(), u }
+    }
+
+    /// Re Σ u e^{iβx} at `count` positions from `from` in steps of `step` [m]: few of them one by one, many at the price of one fast
+    /// transform, to 1e-10 of Σ |u|.
     pub fn shape(&self, from: f64, step: f64, count: usize) -> Vec<f64> {
+        if count <= FEW {
+            return self.shape_at_few(from, step, count);
+        }
+        count::add(Work::NodePositions, self.beta.len() * SPREAD);
+        sum_of_waves(self.iter(), from, step, count)
+    }
+
+    /// The same, eight positions at a time; e^{iβx} by rotation, restarted every 2048 positions so that its rounding stays below 1e-13.
+    fn shape_at_few(&self, from: f64, step: f64, count: usize) -> Vec<f64> {
         count::add(Work::NodePositions, self.beta.len() * count);
         dispatch!(Level::new(), simd => self.shape_in_lanes(simd, from, step, count))
     }

@@ -1,7 +1,6 @@
 //! The largest rail deflections under a train, over all positions.
 
-use crate::math::interpolation::cubic_weights;
-use crate::rail::MovingLoad;
+use crate::rail::{RailLoad, RailWaves};
 use crate::vehicle::Train;
 
 /// Positions searched ahead of the leading axle and behind the last one [m].
@@ -23,10 +22,14 @@ pub struct Extremes {
 
 impl Extremes {
     /// Under `train`, from the response to a unit load.
-    pub fn under(train: &Train, response: &MovingLoad) -> Self {
-        let (from, rail) = superpose(response, train);
-        let (down, down_edge) = extreme(response, train, from, &rail, 1.0);
-        let (up, up_edge) = extreme(response, train, from, &rail, -1.0);
+    pub fn under(train: &Train, response: &RailLoad) -> Self {
+        let lead = train.axles()[0].position;
+        let rail =
+            response.under(train.axles().iter().map(|axle| (axle.position - lead, axle.load)).collect());
+        let from = -(train.length() + BEHIND);
+        let shape = rail.shape(from, STEP, ((AHEAD - from) / STEP).round() as usize + 1);
+        let (down, down_edge) = extreme(&rail, from, &shape, 1.0);
+        let (up, up_edge) = extreme(&rail, from, &shape, -1.0);
         // far away nothing moves: where the rail sinks all over the searched positions it rises by nothing
         Self { down, up: up.max(0.0), at_edge: down_edge || (up_edge && up > 0.01 * down) }
     }
@@ -35,35 +38,6 @@ impl Extremes {
 /// Distance [m] to which the response to a unit load is wanted for `train`.
 pub fn reach(train: &Train) -> f64 {
     train.length() + BEHIND.max(AHEAD) + 1.0
-}
-
-/// Rail deflection under `train` from the response to a unit load, on x′ from −(length + BEHIND) to AHEAD, and where it starts.
-fn superpose(response: &MovingLoad, train: &Train) -> (f64, Vec<f64>) {
-    let length = train.length();
-    let from = -(length + BEHIND);
-    let count = ((AHEAD - from) / STEP).round() as usize + 1;
-    if train.axles().len() == 1 {
-        let rail = response.rail_shape(from, STEP, count);
-        return (from, rail.iter().map(|u| u * train.axles()[0].load).collect());
-    }
-    // w(x′) = Σ P_j w₁(x′ + a_j): the unit response is wanted up to AHEAD + length, two more for the interpolation
-    let extra = (length / STEP).ceil() as usize + 3;
-    let unit = response.rail_shape(from - STEP, STEP, count + extra);
-    let lead = train.axles()[0].position;
-    let mut sum = vec![0.0; count];
-    for axle in train.axles() {
-        let offset = (axle.position - lead) / STEP;
-        let whole = (offset + 1e-9).floor();
-        let t = (offset - whole).max(0.0);
-        // exact where axles stand on multiples of the spacing
-        let weights = cubic_weights(t);
-        let start = whole as usize;
-        for (i, slot) in sum.iter_mut().enumerate() {
-            let near = &unit[i + start..i + start + 4];
-            *slot += axle.load * (0..4).map(|j| weights[j] * near[j]).sum::<f64>();
-        }
-    }
-    (from, sum)
 }
 
 /// The largest value, refined by the parabola through it and its neighbours, its index, and its second difference.
@@ -83,19 +57,12 @@ fn largest(values: impl Iterator<Item = f64>) -> (f64, usize, f64) {
 const SHARP: f64 = 0.002;
 
 /// The largest of sign × deflection and whether it lies at an end; sharp peaks are searched again eight times finer.
-fn extreme(response: &MovingLoad, train: &Train, from: f64, rail: &[f64], sign: f64) -> (f64, bool) {
-    let (value, at, curvature) = largest(rail.iter().map(|w| sign * w));
-    let at_edge = at == 0 || at + 1 == rail.len();
+fn extreme(rail: &RailWaves, from: f64, shape: &[f64], sign: f64) -> (f64, bool) {
+    let (value, at, curvature) = largest(shape.iter().map(|w| sign * w));
+    let at_edge = at == 0 || at + 1 == shape.len();
     if at_edge || curvature.abs() < SHARP * value.abs() {
         return (value, at_edge);
     }
-    const FINE: f64 = STEP / 8.0;
-    let lead = train.axles()[0].position;
-    let start = from + STEP * (at as f64 - 1.0);
-    let mut fine = vec![0.0; 17];
-    for axle in train.axles() {
-        let shape = response.rail_shape(start + axle.position - lead, FINE, fine.len());
-        fine.iter_mut().zip(shape).for_each(|(sum, w)| *sum += sign * axle.load * w);
-    }
-    (largest(fine.into_iter()).0, false)
+    let fine = rail.shape(from + STEP * (at as f64 - 1.0), STEP / 8.0, 17);
+    (largest(fine.iter().map(|w| sign * w)).0, false)
 }

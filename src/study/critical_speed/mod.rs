@@ -8,7 +8,7 @@ pub use curve::{Hump, Peak, Plateau, SpeedCurve};
 
 use super::{Outcome, StudyError};
 use crate::progress::Observer;
-use crate::rail::MovingLoad;
+use crate::rail::RailLoad;
 use crate::railway::{Railway, RailwayError};
 use extremes::{Extremes, reach};
 use rayon::prelude::*;
@@ -61,8 +61,8 @@ impl CriticalSpeed {
         observer.begin("critical speed", self.speeds.len() as u64 + 3);
         type Row = (Vec<Extremes>, f64);
         // begun with what the speed before it has learnt
-        let at = |speed: f64, before: &mut Option<MovingLoad>| -> Result<Row, StudyError> {
-            let response = track.moving_near(speed, reach(train), before.as_ref())?;
+        let at = |speed: f64, before: &mut Option<RailLoad>| -> Result<Row, StudyError> {
+            let response = track.rail_near(speed, reach(train), before.as_ref())?;
             observer.advance();
             let extremes = loads.iter().map(|load| Extremes::under(load, &response)).collect();
             let worst = response.worst;
@@ -82,7 +82,7 @@ impl CriticalSpeed {
                 let extremes: Vec<Extremes> = rows.iter().map(|row| row.0[i]).collect();
                 let mut before = None;
                 let down = |speed: f64| -> Result<f64, StudyError> {
-                    let response = track.moving_near(speed, reach(loads[i]), before.as_ref())?;
+                    let response = track.rail_near(speed, reach(loads[i]), before.as_ref())?;
                     let down = Extremes::under(loads[i], &response).down;
                     before = Some(response);
                     Ok(down)
