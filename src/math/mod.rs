@@ -11,4 +11,5 @@ pub(crate) mod lanes;
 pub mod maximum;
 pub mod polynomial;
 pub mod quadrature;
+pub mod rational;
 pub mod root;
