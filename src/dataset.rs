@@ -3,6 +3,9 @@
 use ndarray::{ArrayD, Ix1, IxDyn};
 use num_complex::Complex64;
 
+/// More values than this along two dimensions or more are a map, whatever they are over.
+const LARGE: usize = 200_000;
+
 /// An attribute of a group or of the whole file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Attribute {
@@ -133,6 +136,11 @@ impl Group {
         self
     }
 
+    /// Its fields over the plane of the ground, and all others of more than 200 000 values: too much for a table.
+    pub fn maps(&self) -> impl Iterator<Item = &Variable> {
+        self.variables.iter().filter(|v| v.is_map())
+    }
+
     /// The variable called `name`, if the group has it.
     pub fn get(&self, name: &str) -> Option<&Variable> {
         self.variables.iter().find(|v| v.name == name)
@@ -143,6 +151,12 @@ impl Variable {
     /// True for a 1-D variable along its own name.
     pub fn is_coordinate(&self) -> bool {
         self.dims.len() == 1 && self.dims[0] == self.name
+    }
+
+    /// True for a field over x and y, or of more than 200 000 values along several dimensions.
+    pub fn is_map(&self) -> bool {
+        let over = |axis: &str| self.dims.iter().any(|dimension| dimension == axis);
+        self.dims.len() > 1 && (over("x") && over("y") || self.values.len() > LARGE)
     }
 
     /// The values of a 1-D variable as a vector; flattened in row-major order otherwise.

@@ -59,6 +59,7 @@ pub mod case;
 pub mod columns;
 pub mod concern;
 pub mod contact;
+pub mod count;
 pub mod dataset;
 pub mod field;
 pub mod figure;

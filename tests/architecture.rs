@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// DESIGN 3: a file uses only modules of lower rank, or its own folder.
 const RANKS: &[&[&str]] = &[
-    &["math", "memory", "quantity", "columns"],
+    &["math", "memory", "quantity", "columns", "count"],
     &["soil", "track", "vehicle", "irregularity", "signal", "dataset", "concern", "figure", "progress"],
     &["foundation", "assessment", "output"],
     &["rail"],

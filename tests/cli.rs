@@ -801,8 +801,9 @@ fn a_receptance_map_is_written_and_its_faults_are_named() {
     let map = "[receptance]\nfrequencies = [20.0]\n[receptance.map]\nfrequencies = [12.5]\n\
                x = { from = -10.0, to = 10.0 }\ny = { from = 0.0, to = 6.0 }\nspacing = 1.0\n";
     let (folder, _) = folder_with(&CASE.replace(asked, map));
-    let output = groundwave(&["run", "case.toml", "--out", "out"], folder.path());
+    let output = groundwave(&["run", "case.toml", "--out", "out", "--csv-maps"], folder.path());
     assert_eq!(code(&output), 0, "{}", err(&output));
+    assert!(!String::from_utf8_lossy(&output.stdout).contains("--csv-maps"));
     let out = folder.path().join("out");
     for picture in ["modulus", "real"] {
         let file = out.join(format!("receptance_map_{picture}_12.5.png"));
@@ -813,6 +814,19 @@ fn a_receptance_map_is_written_and_its_faults_are_named() {
     assert_eq!(rows[0], "map_frequency [Hz],y [m],x [m],map_re [m N-1],map_im [m N-1]");
     assert_eq!(rows.len(), 1 + 7 * 21);
     assert!(std::fs::read_to_string(out.join("summary.json")).unwrap().contains("max_map_12.5"));
+    // not asked for as a table, the map is in results.h5, and every reader is told so
+    let output = groundwave(&["run", "case.toml", "--out", "short", "--no-pictures"], folder.path());
+    assert_eq!(code(&output), 0, "{}", err(&output));
+    let short = folder.path().join("short");
+    assert!(!short.join("receptance_map_frequency_y_x.csv").exists());
+    assert!(names_in(&short).iter().any(|name| name.ends_with(".csv")));
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(said.contains("receptance/map_re, receptance/map_im; as tables too with --csv-maps"), "{said}");
+    let json = std::fs::read(short.join("summary.json")).unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&json).unwrap();
+    assert_eq!(json["maps_in_results_h5"], serde_json::json!(["receptance/map_re", "receptance/map_im"]));
+    let report = std::fs::read_to_string(short.join("report.html")).unwrap();
+    assert!(report.contains("<td>receptance/map_re</td><td>map_frequency (1) × y (7) × x (21)</td>"));
     let mut faults = Vec::new();
     for (from, to, says) in [
         ("[12.5]", "[0.0]", vec!["case.toml:", "receptance.map.frequencies[0]", "found 0 Hz", "above zero"]),

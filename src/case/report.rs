@@ -78,6 +78,21 @@ fn train_table(railway: &Railway) -> Option<ReportTable> {
     })
 }
 
+/// Where the fields are that are too long for a table.
+fn maps_table(outcomes: &[(&'static str, Outcome)]) -> Option<ReportTable> {
+    let mut rows = Vec::new();
+    for (_, Outcome { group, .. }) in outcomes {
+        rows.extend(group.maps().map(|map| {
+            let over =
+                map.dims.iter().zip(map.values.shape()).map(|(dimension, n)| format!("{dimension} ({n})"));
+            let over = over.collect::<Vec<_>>().join(" × ");
+            vec![format!("{}/{}", group.name, map.name), over, map.units.clone(), map.long_name.clone()]
+        }));
+    }
+    let header = ["dataset", "over", "unit", "what"].map(str::to_owned).to_vec();
+    (!rows.is_empty()).then_some(ReportTable { title: "Maps in results.h5".into(), header, rows })
+}
+
 /// What excites the railway: axle loads, a standing force, the roughness of the rail.
 fn excitation(studies: &[Study]) -> Vec<String> {
     let mut list = Vec::new();
@@ -241,6 +256,7 @@ pub fn report(
             ground_table(&case.railway),
             train_table(&case.railway),
             verification.map(Verification::table),
+            maps_table(outcomes),
         ]
         .into_iter()
         .flatten()

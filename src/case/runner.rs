@@ -3,7 +3,7 @@
 use super::folder::{self, FolderError, check_output};
 use super::{Case, Verification, report};
 use crate::concern::Concern;
-use crate::dataset::{Attribute, Dataset};
+use crate::dataset::{Attribute, Dataset, Group};
 use crate::output::plot::Picture;
 use crate::output::{OutputError, csv, hdf5, json, save};
 use crate::progress::Observer;
@@ -21,6 +21,8 @@ pub struct RunOptions {
     pub overwrite: bool,
     /// Draw the pictures, which takes longer than most answers do.
     pub pictures: bool,
+    /// Write maps as CSV tables too, not to `results.h5` alone.
+    pub csv_maps: bool,
 }
 
 /// What a run found.
@@ -32,6 +34,8 @@ pub struct Summary {
     pub verification: Option<Verification>,
     /// Every concern.
     pub concerns: Vec<Concern>,
+    /// Maps that stand in `results.h5` alone, by group and name.
+    pub only_in_hdf5: Vec<String>,
     /// Files written, relative to the output folder.
     pub files: Vec<String>,
 }
@@ -75,13 +79,21 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
     let concerns: Vec<Concern> = case.concerns.iter().cloned().chain(found).collect();
     let staging = folder::stage(&out)?;
     observer.begin("writing", 1);
-    write(case, &outcomes, verification.as_ref(), &concerns, drawings, staging.path())?;
+    write(case, &outcomes, verification.as_ref(), &concerns, drawings, options.csv_maps, staging.path())?;
     let files = folder::sign(staging.path())?;
     folder::install(staging, &out)?;
     observer.advance();
     observer.end();
+    let only_in_hdf5 = if options.csv_maps { Vec::new() } else { maps(&outcomes) };
     let answers = outcomes.into_iter().map(|(name, o)| (name, o.answers)).collect();
-    Ok(Summary { answers, verification, concerns, files })
+    Ok(Summary { answers, verification, concerns, only_in_hdf5, files })
+}
+
+/// Every map as `<group>/<name>`.
+fn maps(outcomes: &[(&'static str, Outcome)]) -> Vec<String> {
+    let of =
+        |group: &Group| group.maps().map(|map| format!("{}/{}", group.name, map.name)).collect::<Vec<_>>();
+    outcomes.iter().flat_map(|(_, outcome)| of(&outcome.group)).collect()
 }
 
 /// Answers among the attributes as `answer_<key>`: an attribute with the name of a dataset is taken for it, by xarray above all.
@@ -134,6 +146,7 @@ fn write(
     verification: Option<&Verification>,
     concerns: &[Concern],
     drawings: Vec<Drawing>,
+    csv_maps: bool,
     folder: &Path,
 ) -> Result<(), RunError> {
     let mut attributes: Vec<(String, Attribute)> = vec![
@@ -158,7 +171,7 @@ fn write(
     let groups = outcomes.iter().map(|(_, o)| o.group.clone()).collect();
     hdf5::write(&Dataset { attributes, groups }, &folder.join("results.h5"))?;
     for (_, outcome) in outcomes {
-        csv::write(&outcome.group, folder)?;
+        csv::write(&outcome.group, folder, csv_maps)?;
     }
     for drawing in &drawings {
         drawing.picture.write(&drawing.name, folder)?;
@@ -197,5 +210,9 @@ fn summary(
         root.insert("verification".into(), verification.json());
     }
     root.insert("concerns".into(), serde_json::json!(concerns));
+    let maps = maps(outcomes);
+    if !maps.is_empty() {
+        root.insert("maps_in_results_h5".into(), serde_json::json!(maps));
+    }
     root.into()
 }

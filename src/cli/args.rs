@@ -50,6 +50,9 @@ pub struct RunArguments {
     /// Draw no pictures: numbers and the report alone, many times as quick where answers are
     #[arg(long)]
     pub no_pictures: bool,
+    /// Write maps (ground contours, receptances around a load) as CSV tables too; they stand in results.h5 all the same
+    #[arg(long)]
+    pub csv_maps: bool,
     /// Replace an existing output folder
     #[arg(long)]
     pub overwrite: bool,

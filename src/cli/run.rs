@@ -78,8 +78,12 @@ pub fn run(arguments: &RunArguments) -> u8 {
     }
     let started = Instant::now();
     let bar = Bar::new();
-    let options =
-        RunOptions { out: out.clone(), overwrite: arguments.overwrite, pictures: !arguments.no_pictures };
+    let options = RunOptions {
+        out: out.clone(),
+        overwrite: arguments.overwrite,
+        pictures: !arguments.no_pictures,
+        csv_maps: arguments.csv_maps,
+    };
     let result = run_case(&case, &options, &bar);
     bar.end();
     match result {
@@ -123,6 +127,12 @@ fn print(case: &Case, summary: &Summary, out: &Path, started: Instant) {
     }
     for concern in &summary.concerns {
         say(&format!("Concern: {concern}"));
+    }
+    if !summary.only_in_hdf5.is_empty() {
+        say(&format!(
+            "Maps in results.h5 alone: {}; as tables too with --csv-maps",
+            summary.only_in_hdf5.join(", ")
+        ));
     }
     say(&format!(
         "{} files in {} ({:.1} s), start with {}",

@@ -1,6 +1,7 @@
 //! Layered ground under a strip: k_eq(β, ω) of Eq. 80, corrected.
 
 use super::{Among, Asked, Foundation, FoundationError, Grain, Stiffness};
+use crate::count::{self, Work};
 use crate::quantity::positive;
 use crate::soil::{GroundSolver, PreparedGround, Profile, SoilError, Solver, Strip};
 use std::collections::HashMap;
@@ -170,6 +171,7 @@ impl LayeredSoil {
 
 impl Foundation for LayeredSoil {
     fn answer(&self, asked: Asked) -> Result<Stiffness, FoundationError> {
+        count::add(Work::Stiffnesses, 1);
         let Asked { beta, omega, relative, .. } = asked;
         let lifts = self.lifts(omega);
         if !lifts {

@@ -126,6 +126,11 @@ impl Interpolant {
         Self { coefficients: ends.windows(2).map(piece).collect(), ends, ..*self }
     }
 
+    /// Ends of its pieces, ascending.
+    pub fn ends(&self) -> &[f64] {
+        &self.ends
+    }
+
     /// True where the tolerance was met everywhere.
     pub fn converged(&self) -> bool {
         self.worst <= 1.0
@@ -171,29 +176,24 @@ fn lagrange_weights<const N: usize>(nodes: &[f64; N], x: f64) -> [f64; N] {
     })
 }
 
-/// cos(πn(j + ½)/NODES), [n][j]
-static COSINES: LazyLock<[[f64; NODES]; NODES]> = LazyLock::new(|| {
-    std::array::from_fn(|n| std::array::from_fn(|j| (PI * n as f64 * (j as f64 + 0.5) / NODES as f64).cos()))
-});
-
 /// x_j = −cos(π(j + ½)/NODES) of the piece, ascending.
 fn chebyshev_nodes(from: f64, to: f64) -> [f64; NODES] {
-    COSINES[1].map(|cos| 0.5 * (from + to) - 0.5 * (to - from) * cos)
+    std::array::from_fn(|j| {
+        0.5 * (from + to) - 0.5 * (to - from) * (PI * (j as f64 + 0.5) / NODES as f64).cos()
+    })
 }
 
 /// c_n = (2 − δ_n0)/NODES Σ_j f_j T_n(x_j), x_j ascending
 fn chebyshev_coefficients(values: &[Complex64; NODES]) -> [Complex64; NODES] {
-    std::array::from_fn(|n| {
-        let sum: Complex64 = values.iter().zip(COSINES[n]).map(|(v, cos)| v * cos).sum();
-        // T_n(−x) = (−1)ⁿ T_n(x)
-        sum * (if n == 0 {
-            1.0
-        } else if n % 2 == 0 {
-            2.0
-        } else {
-            -2.0
-        } / NODES as f64)
-    })
+    // T_n(−x) = (−1)ⁿ T_n(x)
+    static WEIGHTS: LazyLock<[[f64; NODES]; NODES]> = LazyLock::new(|| {
+        let weight = |n: usize, j: usize| {
+            let share = if n == 0 { 1.0 } else { 2.0 } * if n.is_multiple_of(2) { 1.0 } else { -1.0 };
+            share / NODES as f64 * (PI * n as f64 * (j as f64 + 0.5) / NODES as f64).cos()
+        };
+        std::array::from_fn(|n| std::array::from_fn(|j| weight(n, j)))
+    });
+    WEIGHTS.map(|weights| values.iter().zip(weights).map(|(v, w)| v * w).sum())
 }
 
 #[cfg(test)]

@@ -13,3 +13,4 @@ pub mod polynomial;
 pub mod quadrature;
 pub mod rational;
 pub mod root;
+pub mod scaling;

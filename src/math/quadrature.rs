@@ -81,7 +81,7 @@ struct Panel {
 }
 
 impl Panel {
-    fn new(f: &mut impl FnMut(f64) -> Complex64, from: f64, to: f64) -> Self {
+    fn new(f: &mut impl Integrand, from: f64, to: f64) -> Self {
         let centre = 0.5 * (from + to);
         let half = 0.5 * (to - from);
         let mut panel = Self {
@@ -94,12 +94,11 @@ impl Panel {
             error: 0.0,
         };
         let mut gauss = Complex64::ZERO;
+        panel.x = std::array::from_fn(|i| centre + half * if i < 8 { -NODES[i] } else { NODES[14 - i] });
+        panel.f = f.values(&panel.x);
         for i in 0..15 {
             let j = if i < 8 { i } else { 14 - i };
-            let node = if i < 8 { -NODES[j] } else { NODES[j] };
-            panel.x[i] = centre + half * node;
             panel.w[i] = half * KRONROD[j];
-            panel.f[i] = f(panel.x[i]);
             panel.value += panel.f[i] * panel.w[i];
             if j % 2 == 1 {
                 gauss += panel.f[i] * (half * GAUSS[j / 2]);
@@ -138,6 +137,27 @@ impl Ord for Panel {
     }
 }
 
+/// What is integrated, asked for all nodes of a panel at once.
+pub trait Integrand {
+    /// f at every `x`.
+    fn values(&mut self, x: &[f64; 15]) -> [Complex64; 15];
+}
+
+impl<F: FnMut(f64) -> Complex64> Integrand for F {
+    fn values(&mut self, x: &[f64; 15]) -> [Complex64; 15] {
+        x.map(self)
+    }
+}
+
+/// A function of all nodes of a panel.
+pub struct Together<F>(pub F);
+
+impl<F: FnMut(&[f64; 15]) -> [Complex64; 15]> Integrand for Together<F> {
+    fn values(&mut self, x: &[f64; 15]) -> [Complex64; 15] {
+        (self.0)(x)
+    }
+}
+
 /// How far to go.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
@@ -169,7 +189,7 @@ impl Adaptive {
     }
 
     /// Adds the panels between consecutive `breakpoints` (ascending).
-    pub fn add(&mut self, f: &mut impl FnMut(f64) -> Complex64, breakpoints: &[f64]) {
+    pub fn add(&mut self, f: &mut impl Integrand, breakpoints: &[f64]) {
         for pair in breakpoints.windows(2) {
             if pair[1] > pair[0] {
                 let panel = Panel::new(f, pair[0], pair[1]);
@@ -187,12 +207,7 @@ impl Adaptive {
 
     /// Halves the panel of largest error until the sum of errors meets `tolerance`, counting the added
     /// constant `offset` to the integral when judging the relative error.
-    pub fn refine(
-        &mut self,
-        f: &mut impl FnMut(f64) -> Complex64,
-        offset: Complex64,
-        tolerance: Tolerance,
-    ) -> Estimate {
+    pub fn refine(&mut self, f: &mut impl Integrand, offset: Complex64, tolerance: Tolerance) -> Estimate {
         let mut error: f64 = self.panels.iter().map(|p| p.error).sum();
         loop {
             let goal = tolerance.absolute.max(tolerance.relative * (self.value + offset).norm());

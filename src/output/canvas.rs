@@ -5,6 +5,7 @@
 
 use super::axis::{Scale, Ticks, superscript};
 use super::colours::{FAINT, INK, Rgb};
+use super::lettering::text_width;
 use super::page::{Area, Point};
 use super::raster::{self, Image};
 use kuva::backend::svg::SvgBackend;
@@ -220,19 +221,6 @@ fn with_power(label: &str, exponent: i32) -> String {
 pub(super) fn label_room(ticks: &Ticks) -> f64 {
     let widths = ticks.major.iter().map(|t| text_width(&t.label, TICK));
     widths.fold(0.0, f64::max)
-}
-
-/// Width of a text [px], a little generous: enough to keep boxes and margins clear of it.
-pub(super) fn text_width(text: &str, size: u32) -> f64 {
-    let em = |c: char| match c {
-        ' ' | '.' | ',' | ':' | ';' | '|' | '\'' | 'i' | 'j' | 'l' | 'I' | 't' | 'f' | '(' | ')' | '['
-        | ']' | '/' | '·' => 0.39,
-        'm' | 'w' | 'M' | 'W' | '×' | '−' | '+' | '=' | '–' => 0.92,
-        '⁰' | '¹' | '²' | '³' | '⁴' | '⁵' | '⁶' | '⁷' | '⁸' | '⁹' | '⁻' => 0.42,
-        c if c.is_uppercase() => 0.72,
-        _ => 0.635,
-    };
-    text.chars().map(em).sum::<f64>() * f64::from(size)
 }
 
 fn colour([r, g, b]: Rgb) -> Color {

@@ -1,6 +1,6 @@
 //! CSV tables of one study, for spreadsheets, pandas and MATLAB.
 //!
-//! Everything in the group is in some file, at full precision:
+//! Everything in the group is in some file, at full precision; maps, which are long as text, only where they are asked for:
 //!
 //! - variables along the same dimensions share one table with a column per dimension, so a field over (speed, x) is a
 //!   long table with one row per pair. The file is `<group>.csv` if the group has one table, else
@@ -22,13 +22,14 @@ use std::path::{Path, PathBuf};
 /// A 2-D field of more values than this becomes a matrix file.
 const MATRIX_ABOVE: usize = 200_000;
 
-/// Writes the tables of `group` into the folder `dir`, which must exist, and returns their paths.
+/// Writes the tables of `group` into the folder `dir`, which must exist, and returns their paths; its
+/// [maps](Group::maps) too if `maps`.
 ///
 /// # Errors
 /// [`OutputError::Write`] if a file cannot be written.
 ///
 /// Accuracy: numbers are the shortest that read back to the same bits; NaN and infinities are `NaN`, `Inf`, `-Inf`.
-pub fn write(group: &Group, dir: &Path) -> Result<Vec<PathBuf>, OutputError> {
+pub fn write(group: &Group, dir: &Path, maps: bool) -> Result<Vec<PathBuf>, OutputError> {
     let mut files = Vec::new();
     let scalars: Vec<_> = group.variables.iter().filter(|v| v.dims.is_empty()).collect();
     if !scalars.is_empty() {
@@ -37,9 +38,9 @@ pub fn write(group: &Group, dir: &Path) -> Result<Vec<PathBuf>, OutputError> {
     let (fields, small): (Vec<_>, Vec<_>) = group
         .variables
         .iter()
-        .filter(|v| !v.dims.is_empty())
+        .filter(|v| !v.dims.is_empty() && (maps || !v.is_map()))
         .partition(|v| v.dims.len() == 2 && v.values.len() > MATRIX_ABOVE);
-    let tables = share_dimensions(&small, &fields);
+    let tables = share_dimensions(&small, group);
     for members in &tables {
         let name = if tables.len() == 1 {
             format!("{}.csv", group.name)
@@ -62,8 +63,8 @@ pub fn write(group: &Group, dir: &Path) -> Result<Vec<PathBuf>, OutputError> {
 }
 
 /// The variables gathered by their dimensions, in order of appearance. A coordinate that is a column (or an edge) of
-/// another file gets no file of its own.
-fn share_dimensions<'a>(small: &[&'a Variable], fields: &[&Variable]) -> Vec<Vec<&'a Variable>> {
+/// another file, or of a map left out, gets no file of its own.
+fn share_dimensions<'a>(small: &[&'a Variable], group: &Group) -> Vec<Vec<&'a Variable>> {
     let mut tables: Vec<Vec<&Variable>> = Vec::new();
     for &variable in small {
         match tables.iter_mut().find(|t| t[0].dims == variable.dims) {
@@ -74,7 +75,7 @@ fn share_dimensions<'a>(small: &[&'a Variable], fields: &[&Variable]) -> Vec<Vec
     let alone = |table: &[&Variable]| table.len() == 1 && table[0].is_coordinate();
     let elsewhere = |table: &[&Variable]| {
         let dimension = &table[0].name;
-        let data = small.iter().chain(fields);
+        let data = group.variables.iter();
         data.filter(|v| !v.is_coordinate() && !v.values.is_empty()).any(|v| v.dims.contains(dimension))
     };
     tables.retain(|t| !(alone(t) && elsewhere(t)));
@@ -240,7 +241,7 @@ mod tests {
             .coordinate("speed", &speed, "m s-1", "Train speed")
             .variable("max_down", &["speed"], arr1(&down).into_dyn(), "m", "Largest deflection")
             .scalar("amplification", 3.5, "1", "Dynamic over static, of the rail");
-        let paths = write(&group, dir.path()).unwrap();
+        let paths = write(&group, dir.path(), true).unwrap();
         assert_eq!(names(&paths), ["critical_speed_scalars.csv", "critical_speed.csv"]);
         let table = rows(&paths[1]);
         assert_eq!(table[0], ["speed [m s-1]", "max_down [m]"]);
@@ -261,7 +262,7 @@ mod tests {
             .variable("rail_re", &["frequency"], arr1(&[4.0, 5.0, 6.0]).into_dyn(), "m N-1", "Rail")
             .coordinate("receiver", &[8.0, 16.0], "m", "Distance")
             .variable("ground_re", &["receiver", "frequency"], ground, "m N-1", "Ground");
-        let paths = write(&group, dir.path()).unwrap();
+        let paths = write(&group, dir.path(), true).unwrap();
         assert_eq!(names(&paths), ["receptance_frequency.csv", "receptance_receiver_frequency.csv"]);
         let long = rows(&paths[1]);
         assert_eq!(long.len(), 7);
@@ -275,7 +276,7 @@ mod tests {
             .coordinate("frequency", &[3.0], "Hz", "Frequency")
             .coordinate("mode", &[], "1", "No mode found")
             .variable("c", &["frequency", "mode"], Array2::zeros((1, 0)).into_dyn(), "m s-1", "c");
-        let paths = write(&group, dir.path()).unwrap();
+        let paths = write(&group, dir.path(), true).unwrap();
         assert_eq!(names(&paths)[0], "dispersion_frequency.csv");
         assert_eq!(rows(&paths[0]), [["frequency [Hz]"], ["3"]]);
     }
@@ -290,12 +291,14 @@ mod tests {
             .coordinate("x", &axis(nx), "m", "Along the track")
             .coordinate("y", &axis(ny), "m", "Across the track")
             .variable("u_z", &["y", "x"], field.clone().into_dyn(), "m", "Down");
-        let paths = write(&group, dir.path()).unwrap();
+        let paths = write(&group, dir.path(), true).unwrap();
         assert_eq!(names(&paths), ["contour_u_z_matrix.csv"]);
         let table = rows(&paths[0]);
         assert_eq!((table.len(), table[0].len()), (ny + 1, nx + 1));
         assert_eq!(table[0][0], "y [m] \\ x [m]");
         assert_eq!(table[5][0], "1");
         assert_eq!(table[5][7].parse::<f64>().unwrap(), field[[4, 6]]);
+        // and none of its coordinates a table, where it is not asked for
+        assert_eq!(write(&group, &dir.path().join("none"), false).unwrap(), Vec::<PathBuf>::new());
     }
 }

@@ -2,9 +2,10 @@
 
 use super::OutputError;
 use super::axis::Scale;
-use super::canvas::{Anchor, Canvas, Pen, TICK, label_room, text_width};
+use super::canvas::{Anchor, Canvas, Pen, TICK, label_room};
 use super::colours::{GREY, INK, Rgb, curve};
 use super::curves::{marks, ranges, runs, thin_out};
+use super::lettering::text_width;
 use super::page::{Area, Point};
 use crate::figure::{LineFigure, Stroke};
 

@@ -1,8 +1,9 @@
 //! Fields over a rectangle.
 
 use super::axis::{PLACES, Scale};
-use super::canvas::{Canvas, LABEL, Pen, label_room, text_width};
+use super::canvas::{Canvas, LABEL, Pen, label_room};
 use super::colours::{INK, MISSING, Rgb, diverging, sequential};
+use super::lettering::text_width;
 use super::lines::BELOW;
 use super::page::Area;
 use super::raster::Image;

@@ -1,8 +1,9 @@
 //! Curves over a field: dark with a light rim, so that they show on any colour, and their legend below it.
 
 use super::axis::Scale;
-use super::canvas::{Anchor, Canvas, Pen, TICK, text_width};
+use super::canvas::{Anchor, Canvas, Pen, TICK};
 use super::colours::{INK, Rgb};
+use super::lettering::text_width;
 use super::lines::{DASH, ROW, SAMPLE, stroke};
 use super::page::Point;
 use crate::figure::{Series, Stroke};

@@ -1,16 +1,12 @@
-//! A drawn page as a PNG, and fields as images within an SVG.
+//! A drawn page as a PNG, coded once and fast, and fields as images within an SVG.
 
 use super::colours::Rgb;
-use super::page::{Area, Point};
-use kuva::backend::raster::RasterBackend;
+use super::lettering::{Label, labels};
+use super::page::{Area, Point, SHARPNESS};
+use super::pixels::Pixels;
 use kuva::render::color::Color;
 use kuva::render::render::{Primitive, Scene};
 
-/// Pixels of a PNG per unit of the page.
-const SHARPNESS: usize = 2;
-/// The page is drawn this many times finer and averaged: the rasteriser's own edges are rough on flat curves and on
-/// upright text.
-const FINER: usize = 2;
 /// Pixels per metre of paper: 300 dpi, so that a page 900 wide prints 152 mm wide.
 const PRINT: u32 = 11_811;
 
@@ -26,30 +22,77 @@ pub(super) struct Image {
 
 /// The page as the bytes of a PNG, two pixels per unit of the page.
 pub(super) fn png(page: &Scene, image: Option<&Image>) -> Result<Vec<u8>, String> {
-    let mut scene = Scene::new(page.width, page.height);
+    let size = |units: f64| (units * SHARPNESS as f64).ceil() as usize;
+    let mut pixels = Pixels::white(size(page.width), size(page.height));
+    let mut labels = labels(page)?.into_iter();
     for element in &page.elements {
-        match element {
-            // The page has no group but the place of its image.
-            Primitive::GroupStart { .. } => image.into_iter().for_each(|i| scene.add(i.cells())),
-            Primitive::GroupEnd => {}
-            // The rasteriser starts its dashes anew at every point, so that a smooth curve is drawn solid.
-            Primitive::PolyLine { points, stroke, stroke_width, stroke_dasharray: Some(dash) } => {
-                let mut lengths = dash.split(' ').filter_map(|part| part.parse().ok());
-                let (on, off) = (lengths.next().unwrap_or(6.0), lengths.next().unwrap_or(4.0));
-                for points in dashes(points, on, off) {
-                    scene.add(Primitive::PolyLine {
-                        points,
-                        stroke: stroke.clone(),
-                        stroke_width: *stroke_width,
-                        stroke_dasharray: None,
-                    });
-                }
-            }
-            _ => scene.add(element.clone()),
-        }
+        draw(&mut pixels, element, image, &mut labels);
     }
-    let fine = RasterBackend::new().with_scale((SHARPNESS * FINER) as f32).render_scene(&scene)?;
-    averaged(&fine).map_err(|error| error.to_string())
+    encoded(&pixels).map_err(|error| error.to_string())
+}
+
+/// Puts one element of a page on `pixels`; the `image` where its group stands, texts as the next of the `labels`.
+fn draw(
+    pixels: &mut Pixels,
+    element: &Primitive,
+    image: Option<&Image>,
+    labels: &mut impl Iterator<Item = Label>,
+) {
+    let scale = SHARPNESS as f64;
+    match element {
+        // The page has no group but the place of its image.
+        Primitive::GroupStart { .. } => image.into_iter().for_each(|image| image.put(pixels)),
+        Primitive::PolyLine { points, stroke, stroke_width, stroke_dasharray } => {
+            let pieces = match stroke_dasharray {
+                Some(dash) => {
+                    let mut lengths = dash.split(' ').filter_map(|part| part.parse().ok());
+                    dashes(points, lengths.next().unwrap_or(6.0), lengths.next().unwrap_or(4.0))
+                }
+                None => vec![points.clone()],
+            };
+            for piece in pieces {
+                pixels.stroke(&scaled(&piece), scale * stroke_width, rgb(stroke));
+            }
+        }
+        Primitive::Rect { x, y, width, height, fill, stroke, stroke_width, .. } => {
+            let (right, bottom) = (x + width, y + height);
+            if !matches!(fill, Color::None) {
+                let area =
+                    Area { left: scale * x, top: scale * y, right: scale * right, bottom: scale * bottom };
+                pixels.fill(area, rgb(fill));
+            }
+            if let (Some(stroke), Some(width)) = (stroke, stroke_width) {
+                let corners = [(*x, *y), (right, *y), (right, bottom), (*x, bottom), (*x, *y)];
+                pixels.stroke(&scaled(&corners), scale * width, rgb(stroke));
+            }
+        }
+        Primitive::Circle { cx, cy, r, fill, stroke, stroke_width, .. } => {
+            let (centre, half) = ((scale * cx, scale * cy), 0.5 * stroke_width.unwrap_or(0.0));
+            if let Some(stroke) = stroke {
+                pixels.disc(centre, scale * (r + half), rgb(stroke));
+            }
+            pixels.disc(centre, scale * (r - half), rgb(fill));
+        }
+        Primitive::Text { x, y, rotate, color, .. } => {
+            let colour = color.as_ref().map_or([0; 3], rgb);
+            for label in labels.by_ref().take(1) {
+                label.put(pixels, (scale * x, scale * y), rotate.is_some(), colour);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn scaled(points: &[Point]) -> Vec<Point> {
+    points.iter().map(|(x, y)| (SHARPNESS as f64 * x, SHARPNESS as f64 * y)).collect()
+}
+
+/// A page is drawn in plain colours only.
+fn rgb(colour: &Color) -> Rgb {
+    match colour {
+        Color::Rgb(r, g, b) => [*r, *g, *b],
+        _ => [0; 3],
+    }
 }
 
 impl Image {
@@ -57,20 +100,12 @@ impl Image {
         self.area.width() as usize
     }
 
-    /// The pixels as rectangles of the page.
-    fn cells(&self) -> Primitive {
-        let count = self.pixels.len();
-        let place = |i: usize| (i % self.columns(), i / self.columns());
-        let fill = |&p: &u8| {
-            let [r, g, b] = self.palette[usize::from(p)];
-            Color::Rgb(r, g, b)
-        };
-        Primitive::RectBatch {
-            x: (0..count).map(|i| self.area.left + place(i).0 as f64).collect(),
-            y: (0..count).map(|i| self.area.top + place(i).1 as f64).collect(),
-            w: vec![1.0; count],
-            h: vec![1.0; count],
-            fills: self.pixels.iter().map(fill).collect(),
+    /// Each pixel as [`SHARPNESS`]² of `pixels`.
+    fn put(&self, pixels: &mut Pixels) {
+        let (left, top) = (self.area.left as usize, self.area.top as usize);
+        for (i, &place) in self.pixels.iter().enumerate() {
+            let (column, row) = (left + i % self.columns(), top + i / self.columns());
+            pixels.square(SHARPNESS, column, row, self.palette[usize::from(place)]);
         }
     }
 
@@ -96,35 +131,18 @@ impl Image {
         let mut encoder = png::Encoder::new(bytes, size.0, size.1);
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_palette(self.palette.concat());
+        encoder.set_compression(png::Compression::Fast);
         encoder.write_header()?.write_image_data(&self.pixels)
     }
 }
 
-/// A PNG of half the size each way, each pixel the mean of [`FINER`]² of the given one, without transparency.
-fn averaged(fine: &[u8]) -> Result<Vec<u8>, Box<dyn std::error::Error>> {
-    let mut reader = png::Decoder::new(std::io::Cursor::new(fine)).read_info()?;
-    let mut pixels = vec![0; reader.output_buffer_size().ok_or("picture too large")?];
-    let frame = reader.next_frame(&mut pixels)?;
-    let depth = frame.color_type.samples();
-    let (width, height) = (frame.width as usize / FINER, frame.height as usize / FINER);
-    let mut coarse = Vec::with_capacity(3 * width * height);
-    for row in 0..height {
-        for column in 0..width {
-            for channel in 0..3 {
-                let mut sum = 0;
-                for (dy, dx) in (0..FINER * FINER).map(|i| (i / FINER, i % FINER)) {
-                    let at = (FINER * row + dy) * frame.line_size + (FINER * column + dx) * depth;
-                    sum += usize::from(pixels[at + channel]);
-                }
-                coarse.push(((sum + FINER * FINER / 2) / (FINER * FINER)) as u8);
-            }
-        }
-    }
+fn encoded(pixels: &Pixels) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, width as u32, height as u32);
+    let mut encoder = png::Encoder::new(&mut bytes, pixels.width() as u32, pixels.height() as u32);
     encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::Fast);
     encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: PRINT, yppu: PRINT, unit: png::Unit::Meter }));
-    encoder.write_header()?.write_image_data(&coarse)?;
+    encoder.write_header()?.write_image_data(pixels.rgb())?;
     Ok(bytes)
 }
 

@@ -77,6 +77,14 @@ impl Axis {
 }
 
 impl Line<'_> {
+    /// Ends of the pieces of its table.
+    pub fn pieces(&self) -> &[f64] {
+        match &self.source {
+            Source::Formula(_) => &[],
+            Source::Table(table, _) => table.ends(),
+        }
+    }
+
     /// k [N/m²] at `beta` [rad/m]; beyond a table its last value, of which the rail feels nothing.
     pub fn stiffness(&self, beta: f64) -> Complex64 {
         match &self.source {
@@ -103,14 +111,19 @@ impl TrackOnFoundation<'_> {
     }
 
     /// k along ω = −βv of a constant load for β > 0 within its `extent`, interpolated piecewise; its logarithmic growth as β → 0 is
-    /// nearly a straight line in ln β.
+    /// nearly a straight line in ln β. It begins with the `pieces` of a line `near` by, where there is one.
     ///
     /// Accuracy: the table's error is at most `ACCURACY` of ∫ |ũ_r| dβ, a thousand times as much on foundations that are computed in
     /// pieces: no more is asked of thin layers than their own accuracy is worth.
     ///
     /// # Errors
     /// A foundation that cannot answer.
-    pub(super) fn constant_line(&self, speed: f64, extent: &Extent) -> Result<Line<'_>, FoundationError> {
+    pub(super) fn constant_line(
+        &self,
+        speed: f64,
+        extent: &Extent,
+        near: Option<&[f64]>,
+    ) -> Result<Line<'_>, FoundationError> {
         let drive = Drive { omega: 0.0, speed };
         let ends = match self.foundation.grain() {
             Grain::Formula => return Ok(self.formula(drive)),
@@ -123,10 +136,16 @@ impl TrackOnFoundation<'_> {
         let shared = ends.is_some();
         let axis = Axis::Logarithm { shift: if shared { speed.abs().ln() } else { 0.0 } };
         let (low, high) = (axis.x(BETA_MIN), axis.x(extent.end));
-        let points = ends.map_or_else(|| four_pieces(low, high), |ends| covering(&ends, low, high));
+        let points = match (ends, near) {
+            (Some(ends), _) => covering(&ends, low, high),
+            (None, Some(near)) if near.len() > 1 => {
+                near.iter().copied().filter(|end| *end < high - 0.1).chain([high]).collect()
+            }
+            (None, _) => four_pieces(low, high),
+        };
         let allowed = |beta: f64, stiffness| match beta > extent.felt {
             true => f64::INFINITY,
-            false => self.bearable(drive, beta, stiffness, ACCURACY * extent.sum),
+            false => self.bearable(drive, beta, stiffness, 3.0 * ACCURACY * extent.sum),
         };
         let ask = |x: f64, among| {
             // bit by bit the same ω at all speeds
@@ -302,7 +321,7 @@ impl Asker<'_> {
             let k = self.foundation.answer(Asked { relative, ..asked })?;
             self.count.set(self.count.get() + k.count);
             let wanted = wanted(k.value);
-            if wanted >= 0.1 * relative || !k.converged {
+            if wanted >= 0.1 * relative || k.relative_error <= 3.0 * wanted || !k.converged {
                 self.missed = self.missed.max(k.miss(relative));
                 self.known.insert(x, wanted);
                 return Ok(k.value);

@@ -34,6 +34,8 @@ pub struct MovingLoad {
     pub worst: f64,
     /// Evaluations of the ground, bounded however little it damps: where that cut the work short, `worst` is above 1.
     pub count: usize,
+    /// Of the table of the ground.
+    pieces: Vec<f64>,
 }
 
 /// Displacements of rail and base at uniform positions, per unit load [m/N].
@@ -68,9 +70,17 @@ impl TrackOnFoundation<'_> {
     /// # Errors
     /// A foundation that cannot answer.
     pub fn spectrum(&self, speed: f64) -> Result<MovingSpectrum<'_>, InteractionError> {
+        self.spectrum_near(speed, None)
+    }
+
+    fn spectrum_near(
+        &self,
+        speed: f64,
+        near: Option<&MovingLoad>,
+    ) -> Result<MovingSpectrum<'_>, InteractionError> {
         self.check(0.0, speed)?;
         let extent = self.extent(speed)?;
-        let mut line = self.constant_line(speed, &extent)?;
+        let mut line = self.constant_line(speed, &extent, near.map(|near| near.pieces.as_slice()))?;
         if !extent.bounded {
             line.worst = f64::INFINITY;
         }
@@ -90,7 +100,20 @@ impl TrackOnFoundation<'_> {
     /// # Errors
     /// A foundation that cannot answer; a response that diverges.
     pub fn moving(&self, speed: f64, reach: f64) -> Result<MovingLoad, InteractionError> {
-        let spectrum = self.spectrum(speed)?;
+        self.moving_near(speed, reach, None)
+    }
+
+    /// The same, begun where that of a speed `near` by ended: a quarter of the ground's values less.
+    ///
+    /// # Errors
+    /// As `moving`.
+    pub fn moving_near(
+        &self,
+        speed: f64,
+        reach: f64,
+        near: Option<&MovingLoad>,
+    ) -> Result<MovingLoad, InteractionError> {
+        let spectrum = self.spectrum_near(speed, near)?;
         let beta_max = spectrum.beta_max;
         let points = panels(beta_max, reach);
         let mut integral = Adaptive::new();
@@ -111,6 +134,7 @@ impl TrackOnFoundation<'_> {
             base: Waves::new(&rule, 1.0 / PI, |beta, _| spectrum.at(beta).base),
             worst: spectrum.worst().max(estimate.miss(ACCURACY)),
             count: spectrum.line.count,
+            pieces: spectrum.line.pieces().to_vec(),
         })
     }
 }

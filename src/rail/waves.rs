@@ -1,5 +1,6 @@
 //! A settled integral over β as a sum of waves along the track: Σ u e^{iβx}.
 
+use crate::count::{self, Work};
 use crate::math::lanes::{LANES, sin_cos};
 use crate::math::quadrature::{Node, Rule};
 use fearless_simd::prelude::*;
@@ -42,12 +43,14 @@ impl Waves {
 
     /// Σ u e^{iβx} at `x` [m].
     pub fn at(&self, x: f64) -> Complex64 {
+        count::add(Work::NodePositions, self.beta.len());
         self.iter().map(|(beta, u)| u * Complex64::cis(beta * x)).sum()
     }
 
     /// Re Σ u e^{iβx} at `count` positions from `from` in steps of `step` [m], eight positions at a time; e^{iβx} by rotation, restarted
     /// every 2048 positions so that its rounding stays below 1e-13.
     pub fn shape(&self, from: f64, step: f64, count: usize) -> Vec<f64> {
+        count::add(Work::NodePositions, self.beta.len() * count);
         dispatch!(Level::new(), simd => self.shape_in_lanes(simd, from, step, count))
     }
 

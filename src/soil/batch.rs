@@ -4,6 +4,7 @@
 //! eight needs them. Accuracy: as `direct_stiffness`, with which it agrees to 1e-11 of G (test `laws::batch`).
 
 use super::wave::Wave;
+use crate::count::{self, Work};
 use crate::math::lanes::{LANES, Lanes};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
@@ -52,6 +53,7 @@ impl Batch<'_> {
     /// In-plane compliance at the surface at `k` and its square: S ← M(B − C (B + S)⁻¹ C)M from the base upward, inverted.
     #[inline(always)]
     pub fn in_plane<S: Simd>(&self, simd: S, k: Lanes<S>, k2: Lanes<S>) -> InPlane<S> {
+        count::add(Work::Compliances, LANES);
         let mut below = self.half_space.map(|wave| half_space(simd, wave, k, k2));
         let mut largest = f64x8::splat(simd, 0.0);
         for (wave, thickness) in self.layers.iter().rev() {

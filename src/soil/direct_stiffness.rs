@@ -14,6 +14,7 @@ use super::lifted;
 use super::strip::{Outline, Strip};
 use super::wave::Wave;
 use super::{Base, Compliance, GroundSolver, PreparedGround, Profile, SoilError, SurfaceCompliance};
+use crate::count::{self, Work};
 use crate::math::complex::I;
 use crate::math::quadrature::Estimate;
 use nalgebra::{Matrix2, SMatrix};
@@ -77,6 +78,7 @@ impl DirectStiffnessAt {
     /// In-plane compliance at the surface: S ← M(B − C (B + S)⁻¹ C)M from the base upward, inverted; by the flexibility method where
     /// a layer's stiffness has cost more digits than `MOST` allows.
     fn in_plane(&self, k: f64) -> Block {
+        count::add(Work::Compliances, 1);
         let mut below = self.half_space.map(|wave| LayerStiffness::<2>::half_space(&wave, k));
         let mut largest = 0.0f64;
         for (wave, thickness) in self.layers.iter().rev() {
@@ -196,7 +198,7 @@ impl PreparedGround for DirectStiffnessAt {
     }
 
     fn lifts(&self, strip: Strip) -> bool {
-        self.lifted().is_clear(&|k| self.u_zz(k), strip)
+        self.lifted().is_clear(&|k| self.u_zz_many(k), strip)
     }
 
     /// On the real axis where the path does not settle.

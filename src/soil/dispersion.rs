@@ -9,9 +9,12 @@
 //! Trapped modes only: slower than shear waves in the half-space. Faster, leaky ones lose energy downward and are left out.
 
 use super::layer_stiffness::LayerStiffness;
+use super::mode_count::RealWaves;
+use super::real_secular;
 use super::transfer_matrix::Waves;
 use super::wave::Wave;
 use super::{Profile, chain};
+use crate::count::{self, Work};
 use crate::math::root;
 use nalgebra::SMatrix;
 use num_complex::Complex64;
@@ -123,18 +126,35 @@ fn negative_pivots<const N: usize>(
     sum + below.map_or(0, |surface| negative(&surface))
 }
 
-/// The Rayleigh or Love function at `k`, relative to the scale `reference`.
-fn secular(waves: &Waves, wave: SurfaceWave, k: Complex64, reference: f64) -> Complex64 {
-    let (value, scale) = match wave {
-        SurfaceWave::Rayleigh => waves.rayleigh(k),
-        SurfaceWave::Love => waves.love(k),
-    };
-    value * (scale - reference).clamp(-600.0, 600.0).exp()
+/// Waves without load, with damping or without.
+enum Free {
+    Damped(Waves),
+    Undamped(RealWaves),
+}
+
+impl Free {
+    /// The Rayleigh or Love function at `k`, times e^{second}.
+    fn secular(&self, wave: SurfaceWave, k: Complex64) -> (Complex64, f64) {
+        count::add(Work::Secular, 1);
+        let real = |(value, scale): (f64, f64)| (value.into(), scale);
+        match (self, wave) {
+            (Self::Damped(waves), SurfaceWave::Rayleigh) => waves.rayleigh(k),
+            (Self::Damped(waves), SurfaceWave::Love) => waves.love(k),
+            (Self::Undamped(waves), SurfaceWave::Rayleigh) => real(real_secular::rayleigh(waves, k.re)),
+            (Self::Undamped(waves), SurfaceWave::Love) => real(real_secular::love(waves, k.re)),
+        }
+    }
+
+    /// The same without its second part, as large as at the place whose second part is `reference`.
+    fn relative(&self, wave: SurfaceWave, k: Complex64, reference: f64) -> Complex64 {
+        let (value, scale) = self.secular(wave, k);
+        value * (scale - reference).clamp(-600.0, 600.0).exp()
+    }
 }
 
 /// Wavenumbers of the `wanted` slowest modes of undamped ground, descending, and the count of all of them.
 fn undamped(
-    waves: &Waves,
+    waves: &RealWaves,
     profile: &Profile,
     wave: SurfaceWave,
     omega: f64,
@@ -148,13 +168,13 @@ fn undamped(
     // light ground is slower still
     let mut highest = omega / slowest * (1.0 + 1e-6);
     for _ in 0..100 {
-        if staircase(waves, wave, highest) == 0 {
+        if below(waves, wave, highest) == 0 {
             break;
         }
         highest *= 1.05;
     }
     let lowest = match waves.half_space {
-        Some(half_space) => half_space.ks2.re.sqrt() * (1.0 + 1e-12),
+        Some(half_space) => half_space.ks2.sqrt() * (1.0 + 1e-12),
         None => 1e-6 * highest,
     };
     if lowest >= highest {
@@ -162,12 +182,12 @@ fn undamped(
     }
     // waves may run backward, and the count rises before it falls: every step is a mode
     let at = |i: usize| lowest + (highest - lowest) * i as f64 / SCAN as f64;
-    let total = staircase(waves, wave, lowest);
+    let total = below(waves, wave, lowest);
     let mut roots = Vec::new();
     let mut count = 0;
     let (mut high, mut count_high) = (highest, 0_usize);
     for i in (0..SCAN).rev() {
-        let (low, count_low) = (at(i), if i == 0 { total } else { staircase(waves, wave, at(i)) });
+        let (low, count_low) = (at(i), if i == 0 { total } else { below(waves, wave, at(i)) });
         isolate(waves, wave, (low, count_low), (high, count_high), &mut roots);
         count += count_low.abs_diff(count_high);
         (high, count_high) = (low, count_low);
@@ -179,55 +199,81 @@ fn undamped(
     (roots, count + total.abs_diff(count_high))
 }
 
+/// Modes with wavenumber `k` and a lower frequency.
+fn below(waves: &RealWaves, wave: SurfaceWave, k: f64) -> usize {
+    count::add(Work::ModeCounts, 1);
+    match wave {
+        SurfaceWave::Rayleigh => waves.in_plane(k),
+        SurfaceWave::Love => waves.across(k),
+    }
+}
+
 /// Pushes the root in every step of the count between `low` and `high`, from above.
-fn isolate(waves: &Waves, wave: SurfaceWave, low: (f64, usize), high: (f64, usize), roots: &mut Vec<f64>) {
+fn isolate(
+    waves: &RealWaves,
+    wave: SurfaceWave,
+    low: (f64, usize),
+    high: (f64, usize),
+    roots: &mut Vec<f64>,
+) {
     let steps = low.1.abs_diff(high.1);
     if steps == 0 {
         return;
     }
     let narrow = high.0 - low.0 <= 1e-12 * high.0;
-    if steps == 1 || narrow {
-        let (_, reference) = match wave {
-            SurfaceWave::Rayleigh => waves.rayleigh(Complex64::from(low.0)),
-            SurfaceWave::Love => waves.love(Complex64::from(low.0)),
+    if steps == 1 && !narrow {
+        let mut reference = None;
+        let f = |k: f64| {
+            count::add(Work::Secular, 1);
+            let (value, scale) = match wave {
+                SurfaceWave::Rayleigh => real_secular::rayleigh(waves, k),
+                SurfaceWave::Love => real_secular::love(waves, k),
+            };
+            value * (scale - *reference.get_or_insert(scale)).clamp(-600.0, 600.0).exp()
         };
-        let f = |k: f64| secular(waves, wave, Complex64::from(k), reference).re;
-        let found = if narrow { None } else { root::bracketed(f, low.0, high.0, 1e-14) };
-        if let Some(k) = found {
+        if let Some(k) = root::bracketed(f, low.0, high.0, 1e-14) {
             roots.push(k);
             return;
         }
-        if narrow {
-            // modes closer together than digits
-            roots.extend(std::iter::repeat_n(0.5 * (low.0 + high.0), steps));
-            return;
-        }
+    }
+    if narrow {
+        // modes closer together than digits
+        roots.extend(std::iter::repeat_n(0.5 * (low.0 + high.0), steps));
+        return;
     }
     let middle = 0.5 * (low.0 + high.0);
-    let middle = (middle, staircase(waves, wave, middle));
+    let middle = (middle, below(waves, wave, middle));
     isolate(waves, wave, middle, high, roots);
     isolate(waves, wave, low, middle, roots);
 }
 
 /// dk/dω = −F_ω/F_k by five-point differences.
-fn slowness(profile: &Profile, wave: SurfaceWave, omega: f64, k: Complex64) -> Complex64 {
-    let here = Waves::new(profile, omega);
+fn slowness(
+    waves: &Waves,
+    damped: bool,
+    wave: SurfaceWave,
+    omega: f64,
+    depth: f64,
+    k: Complex64,
+) -> Complex64 {
     // F varies as e^{2kH} at most, and as √(k² − k_s²) near the cut-off, where modes escape into the half-space
-    let mut step = 2e-3 / (1.0 + 2.0 * k.norm() * profile.depth());
-    if let Some(half_space) = &here.half_space {
+    let mut step = 2e-3 / (1.0 + 2.0 * k.norm() * depth);
+    if let Some(half_space) = &waves.half_space {
         step = step.min(0.02 * (1.0 - half_space.ks2.sqrt() / k).norm());
     }
-    let reference = match wave {
-        SurfaceWave::Rayleigh => here.rayleigh(k).1,
-        SurfaceWave::Love => here.love(k).1,
+    let free = |factor: f64| {
+        let waves = waves.scaled(factor);
+        if damped { Free::Damped(waves) } else { Free::Undamped(RealWaves::new(&waves)) }
     };
+    let here = free(1.0);
+    let (_, reference) = here.secular(wave, k);
     // f′ = (f₋₂ − 8f₋₁ + 8f₁ − f₂)/(12h)
     let weights = [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)];
     let (mut by_k, mut by_omega) = (Complex64::ZERO, Complex64::ZERO);
     for (at, weight) in weights {
         let factor = 1.0 + at * step;
-        by_k += weight * secular(&here, wave, k * factor, reference) / k;
-        by_omega += weight * secular(&Waves::new(profile, omega * factor), wave, k, reference) / omega;
+        by_k += weight * here.relative(wave, k * factor, reference) / k;
+        by_omega += weight * free(factor).relative(wave, k, reference) / omega;
     }
     -by_omega / by_k
 }
@@ -244,10 +290,11 @@ fn loss(profile: &Profile) -> f64 {
 /// 7e-9 (tests `papers::dispersion`, `papers::mezher`, `analytic::dispersion`).
 pub fn modes(profile: &Profile, wave: SurfaceWave, omega: f64, wanted: usize) -> Modes {
     let elastic = profile.with_loss_times(0.0);
-    let waves = Waves::new(&elastic, omega);
-    let (roots, count) = undamped(&waves, &elastic, wave, omega, wanted);
+    let real = RealWaves::new(&Waves::new(&elastic, omega));
+    let (roots, count) = undamped(&real, &elastic, wave, omega, wanted);
     let mut found: Vec<Option<Complex64>> = roots.iter().map(|k| Some(Complex64::from(*k))).collect();
-    if !profile.is_undamped() {
+    let damped = !profile.is_undamped();
+    if damped {
         for (i, slot) in found.iter_mut().enumerate() {
             let beside = [i.wrapping_sub(1), i + 1].into_iter().filter_map(|j| roots.get(j));
             let gap = beside.map(|other| (other - roots[i]).abs()).fold(f64::INFINITY, f64::min);
@@ -263,15 +310,16 @@ pub fn modes(profile: &Profile, wave: SurfaceWave, omega: f64, wanted: usize) ->
         }
     }
     // damping blurs a cut-off by its loss factor: a mode that leaves the ground's grip there has become leaky
-    if let Some(half_space) = &waves.half_space {
-        let blurred = half_space.ks2.re.sqrt() * (1.0 + loss(profile));
+    if let Some(half_space) = &real.half_space {
+        let blurred = half_space.ks2.sqrt() * (1.0 + loss(profile));
         while found.last().is_some_and(Option::is_none) && roots[found.len() - 1] < blurred {
             found.pop();
         }
     }
+    let waves = Waves::new(profile, omega);
     // energy decays the way it travels, which a backward wave does against its crests
     let mode = |k: Complex64| {
-        let group_velocity = 1.0 / slowness(profile, wave, omega, k).re;
+        let group_velocity = 1.0 / slowness(&waves, damped, wave, omega, profile.depth(), k).re;
         let attenuation = 0.0 - k.im * group_velocity.signum();
         let mode = Mode { k, phase_velocity: omega / k.re, group_velocity, attenuation };
         (k.re > 0.0 && attenuation >= 0.0).then_some(mode)
@@ -288,20 +336,17 @@ fn follow(
     (k, gap): (Complex64, f64),
     (from, to): (f64, f64),
 ) -> Option<Complex64> {
-    let waves = |share: f64| Waves::new(&profile.with_loss_times(share), omega);
-    let here = waves(from);
-    let (_, reference) = match wave {
-        SurfaceWave::Rayleigh => here.rayleigh(k),
-        SurfaceWave::Love => here.love(k),
+    let free = |share: f64| {
+        let waves = Waves::new(&profile.with_loss_times(share), omega);
+        if share > 0.0 { Free::Damped(waves) } else { Free::Undamped(RealWaves::new(&waves)) }
     };
-    // dk/dτ = −F_τ/F_k, F ≈ 0 here
+    // dk/dτ = −F_τ/F_k, with F(k) = 0 here
     let (dk, part) = (1e-6 * k, 1e-3);
-    let at_root = secular(&here, wave, k, reference);
-    let by_k = (secular(&here, wave, k + dk, reference) - at_root) / dk;
-    let by_share = (secular(&waves(from + part * (to - from)), wave, k, reference) - at_root) / part;
-    let shift = -by_share / by_k;
-    let there = waves(to);
-    let root = root::complex(|k| secular(&there, wave, k, reference), k + shift, 1e-12);
+    let (beside, reference) = free(from).secular(wave, k + dk);
+    let by_share = free(from + part * (to - from)).relative(wave, k, reference) / part;
+    let shift = -by_share * dk / beside;
+    let there = free(to);
+    let root = root::complex(|k| there.relative(wave, k, reference), k + shift, 1e-12);
     let allowed = (0.2 * shift.norm()).min(0.2 * gap) + 1e-9 * k.norm();
     let near = |root: &Complex64| (root - k - shift).norm() <= allowed;
     if let Some(root) = root.filter(near) {

@@ -12,7 +12,7 @@
 //! midpoints. Its tail is that of `strip`.
 
 use super::batch::Batch;
-use super::strip::{self, Compatibility, Outline, Strip, tail, tail_integrals};
+use super::strip::{self, Compatibility, Compliances, Outline, Strip, tail, tail_integrals};
 use crate::math::lanes::{LANES, Lanes, exp, sin_cos};
 use crate::math::quadrature::Estimate;
 use fearless_simd::prelude::*;
@@ -27,6 +27,8 @@ const SHORT: f64 = 16.0;
 /// Points of the first rule, and the most.
 const FIRST: usize = 16;
 const MOST_POINTS: usize = 512;
+/// Error of the mean of two rules over the square of the relative error of one of them.
+const SQUARED: f64 = 300.0;
 /// Largest cut-off tried, of its first value.
 const FARTHEST: f64 = 30.0;
 
@@ -43,13 +45,13 @@ pub(super) struct Integral<'a> {
 }
 
 /// Accuracy of both integrals that are compared, and what a pole between them may add, relative.
-const COMPARED: f64 = 1e-4;
-const ALIKE: f64 = 2e-4;
+const COMPARED: f64 = 1e-6;
+const ALIKE: f64 = 3e-6;
 
 impl Integral<'_> {
     /// Whether no pole of G stands between the real axis and the path, at any β: both integrals agree at β = 0. False as well where
     /// the one on the axis does not settle, as that of undamped ground.
-    pub fn is_clear(&self, u_zz: &dyn Fn(f64) -> Complex64, strip: Strip) -> bool {
+    pub fn is_clear(&self, u_zz: Compliances, strip: Strip) -> bool {
         let Some(lifted) = self.compliance(0.0, strip, COMPARED) else { return false };
         let real = strip::quadrature(u_zz, self.outline, 0.0, strip, COMPARED);
         real.converged && (lifted.value - real.value).norm() <= ALIKE * real.value.norm()
@@ -84,7 +86,7 @@ impl Integral<'_> {
                 let value = 0.5 * (sum + middle) / PI + known;
                 // T and M are wrong by as much to either side, their mean by the square of it
                 let differ = 0.5 * (sum - middle).norm() / PI / value.norm();
-                let error = differ.min(8.0 * differ.powf(1.5)) * value.norm() + cut / PI;
+                let error = differ.min(SQUARED * differ * differ) * value.norm() + cut / PI;
                 if error <= relative * value.norm() {
                     return Some(Estimate { value, error, count, converged: true });
                 }

@@ -18,10 +18,12 @@ pub mod haskell;
 mod layer_stiffness;
 mod lifted;
 mod material;
+mod mode_count;
 pub mod off_axis;
 mod pole_sum;
 pub mod poles;
 mod profile;
+mod real_secular;
 pub mod sampled;
 pub mod strip;
 pub mod thin_layer;
@@ -89,7 +91,7 @@ pub trait PreparedGround: Send + Sync {
 
     /// 1/k_eq(β, ω) [m²/N] of a loaded strip, by quadrature unless the solver knows better.
     fn strip(&self, beta: f64, strip: Strip, relative: f64) -> Estimate {
-        strip::quadrature(&|k| self.u_zz(k), self.outline(), beta, strip, relative)
+        strip::quadrature(&|k| self.u_zz_many(k), self.outline(), beta, strip, relative)
     }
 
     /// Whether [`strip_lifted`](Self::strip_lifted) may be asked under `strip` at this ω, and is another way.
@@ -105,13 +107,13 @@ pub trait PreparedGround: Send + Sync {
     /// Displacement [m²/N] at distance `y` [m] from the centre line of a strip of `half_width` [m] under a unit force per
     /// metre; a line load where `half_width` is zero. By quadrature unless the solver knows better.
     fn receiver(&self, beta: f64, half_width: f64, y: f64, relative: f64) -> Estimate {
-        strip::receiver_quadrature(&|k| self.u_zz(k), self.outline(), beta, half_width, y, relative)
+        strip::receiver_quadrature(&|k| self.u_zz_many(k), self.outline(), beta, half_width, y, relative)
     }
 
     /// The same at many distances `y` [m] at once, to `relative` of the largest. By one quadrature for all unless the solver
     /// knows better.
     fn receivers(&self, beta: f64, half_width: f64, y: &[f64], relative: f64) -> Vec<Estimate> {
-        strip::receivers_quadrature(&|k| self.u_zz(k), self.outline(), beta, half_width, y, relative)
+        strip::receivers_quadrature(&|k| self.u_zz_many(k), self.outline(), beta, half_width, y, relative)
     }
 
     /// Wave modes: wavenumbers √κ_j and residues of G_zz = Σ r_j/(k² − κ_j), for solvers that have them.

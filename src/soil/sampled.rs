@@ -68,16 +68,16 @@ impl PreparedGround for Sampled {
     }
 
     fn strip(&self, beta: f64, strip: Strip, relative: f64) -> Estimate {
-        self.of_table(strip::quadrature(&|k| self.u_zz(k), self.outline(), beta, strip, relative))
+        self.of_table(strip::quadrature(&|k| self.u_zz_many(k), self.outline(), beta, strip, relative))
     }
 
     fn receiver(&self, beta: f64, half_width: f64, y: f64, relative: f64) -> Estimate {
-        let g = |k| self.u_zz(k);
+        let g = |k: &[f64]| self.u_zz_many(k);
         self.of_table(strip::receiver_quadrature(&g, self.outline(), beta, half_width, y, relative))
     }
 
     fn receivers(&self, beta: f64, half_width: f64, y: &[f64], relative: f64) -> Vec<Estimate> {
-        let g = |k| self.u_zz(k);
+        let g = |k: &[f64]| self.u_zz_many(k);
         let all = strip::receivers_quadrature(&g, self.outline(), beta, half_width, y, relative);
         all.into_iter().map(|estimate| self.of_table(estimate)).collect()
     }

@@ -11,13 +11,16 @@
 use super::{Profile, half_space};
 use crate::math::bessel::modified_bessel;
 use crate::math::complex::I;
-use crate::math::quadrature::{Adaptive, Estimate, Node, Tolerance, subdivided};
+use crate::math::quadrature::{Adaptive, Estimate, Node, Together, Tolerance, subdivided};
 use crate::quantity::positive;
 use num_complex::Complex64;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::{Deserializer, Error};
 use std::f64::consts::PI;
+
+/// G_zz [m/Pa] of many wavenumbers [rad/m].
+pub type Compliances<'a> = &'a dyn Fn(&[f64]) -> Vec<Complex64>;
 
 /// Evaluations of G allowed for one strip integral.
 const MAX_COUNT: usize = 60_000;
@@ -209,13 +212,7 @@ pub(super) fn known(tail: (Complex64, Complex64), integrals: (f64, f64)) -> Comp
 /// Accuracy: 1e-9 against `reference/k_eq.csv` at `relative` = 1e-9 (test `cross_solver::k_eq`); finds poles as
 /// close to the axis as η = 1e-4 (test `cross_solver::light_damping`); `converged` says when it cannot.
 /// Source: Eq. 80 with THEORY 3.
-pub fn quadrature(
-    u_zz: &dyn Fn(f64) -> Complex64,
-    outline: &Outline,
-    beta: f64,
-    strip: Strip,
-    relative: f64,
-) -> Estimate {
+pub fn quadrature(u_zz: Compliances, outline: &Outline, beta: f64, strip: Strip, relative: f64) -> Estimate {
     let b = strip.half_width;
     let kernel = Kernel {
         times: &|q, g| g * strip.kernel(q),
@@ -235,7 +232,7 @@ pub fn quadrature(
 ///
 /// (1/π) ∫₀^∞ G_zz sinc(q b) cos(q y) dq to `relative` of its modulus; else as `quadrature`.
 pub fn receiver_quadrature(
-    u_zz: &dyn Fn(f64) -> Complex64,
+    u_zz: Compliances,
     outline: &Outline,
     beta: f64,
     half_width: f64,
@@ -259,7 +256,7 @@ pub fn receiver_quadrature(
 /// To `relative` of the modulus of that integral: what is small beside it is known less well. `y` is not empty; a line load
 /// has none at 0.
 pub fn receivers_quadrature(
-    u_zz: &dyn Fn(f64) -> Complex64,
+    u_zz: Compliances,
     outline: &Outline,
     beta: f64,
     half_width: f64,
@@ -283,11 +280,11 @@ pub fn receivers_quadrature(
     let kappa0 = kernel.kappa0;
     let coefficients = tail(outline, kappa0);
     let rule = integral.into_rule();
-    let weighted = |&Node { x: q, weight, .. }: &Node| {
-        let k = beta.hypot(q);
-        (q, (u_zz(k) - tail_at(coefficients, kappa0, k)) * (sinc(q * b) * weight / PI))
+    let k: Vec<f64> = rule.0.iter().map(|node| beta.hypot(node.x)).collect();
+    let weighted = |((&Node { x: q, weight, .. }, k), g): ((&Node, &f64), Complex64)| {
+        (q, (g - tail_at(coefficients, kappa0, *k)) * (sinc(q * b) * weight / PI))
     };
-    let nodes: Vec<(f64, Complex64)> = rule.0.iter().map(weighted).collect();
+    let nodes: Vec<(f64, Complex64)> = rule.0.iter().zip(&k).zip(u_zz(&k)).map(weighted).collect();
     let beta_c = beta.hypot(kappa0);
     y.iter()
         .map(|y| {
@@ -313,7 +310,7 @@ fn first_top(outline: &Outline, beta: f64, kernel: &Kernel) -> f64 {
 
 /// (1/π) ∫₀^∞ G(√(β² + q²)) C(q) dq, and the part of it that was integrated.
 fn integral(
-    u_zz: &dyn Fn(f64) -> Complex64,
+    u_zz: Compliances,
     outline: &Outline,
     beta: f64,
     kernel: &Kernel,
@@ -323,10 +320,11 @@ fn integral(
     let kappa0 = kernel.kappa0;
     let coefficients = tail(outline, kappa0);
     let tail = |k: f64| tail_at(coefficients, kappa0, k);
-    let mut integrand = |y: f64| {
-        let k = (beta * beta + y * y).sqrt();
-        (kernel.times)(y, u_zz(k) - tail(k))
-    };
+    let mut integrand = Together(|y: &[f64; 15]| {
+        let k = y.map(|y| (beta * beta + y * y).sqrt());
+        let g = u_zz(&k);
+        std::array::from_fn(|i| (kernel.times)(y[i], g[i] - tail(k[i])))
+    });
     let known = (kernel.tail)((beta * beta + kappa0 * kappa0).sqrt(), coefficients) * PI;
 
     // no more than a period and a half of the kernel in a panel
@@ -346,7 +344,7 @@ fn integral(
         loop {
             let envelope = (kernel.envelope)(top);
             let k = (beta * beta + top * top).sqrt();
-            cut = (u_zz(k) - tail(k)).norm() * envelope * top / 5.0;
+            cut = (u_zz(&[k])[0] - tail(k)).norm() * envelope * top / 5.0;
             let goal = 0.3 * relative * (integral.value() + known).norm();
             if cut <= goal || top > farthest {
                 break;

@@ -22,6 +22,7 @@ use super::strip::Outline;
 use super::wave::Wave;
 use super::{Base, Compliance, GroundSolver, PreparedGround, Profile, SoilError, SurfaceCompliance};
 use crate::math::complex::{I, sqrt_decaying};
+use crate::math::scaling::power_of_two;
 use nalgebra::Matrix2;
 use num_complex::Complex64;
 
@@ -72,10 +73,9 @@ impl Exponential {
         let half = if d.re < 0.0 { -0.5 * d } else { 0.5 * d };
         // sinh²(d/2)/(d/2)² and sinh d / d, decaying by e^{−|Re d|} already; the rest of the scale
         let rest = (2.0 * half.re - a.re).exp();
-        let (_, sinhc_half) = hyperbolic(half);
-        let (_, sinhc_d) = hyperbolic(2.0 * half);
+        let (cosh_half, sinhc_half) = hyperbolic(half);
         let half_square = 0.5 * sinhc_half * sinhc_half * rest;
-        let sinhc_d = sinhc_d * rest;
+        let sinhc_d = sinhc_half * cosh_half * rest;
         let (even2, odd1);
         if a.norm_sqr() < 1.0 {
             // Σ h_{n−2}(a², d²)/(2n)! and Σ h_{n−1}(a², d²)/(2n + 1)!, h_m = Σ a^{2i} d^{2(m−i)}
@@ -174,6 +174,11 @@ impl Minors {
     }
 }
 
+/// The larger part of z: what scales are taken from, at most √2 less than |z|.
+fn larger(z: &Complex64) -> f64 {
+    z.re.abs().max(z.im.abs())
+}
+
 /// Layers and base at one ω ≥ 0, for any real or complex wavenumber.
 #[derive(Clone, Debug)]
 pub(super) struct Waves {
@@ -194,6 +199,21 @@ impl Waves {
         }
     }
 
+    /// The same where ω is `factor` times as large.
+    pub fn scaled(&self, factor: f64) -> Self {
+        let square = factor * factor;
+        let scaled = |wave: &Wave| Wave {
+            ks2: wave.ks2 * square,
+            kp2: wave.kp2 * square,
+            inv_difference: wave.inv_difference / square,
+            ..*wave
+        };
+        Self {
+            layers: self.layers.iter().map(|(wave, h)| (scaled(wave), *h)).collect(),
+            half_space: self.half_space.as_ref().map(scaled),
+        }
+    }
+
     /// Minors at the surface, tractions in units of the top layer's μ, and the logarithm of the factor divided out.
     fn in_plane(&self, k: Complex64) -> (Minors, f64) {
         let (o, one) = (Complex64::ZERO, Complex64::ONE);
@@ -210,11 +230,9 @@ impl Waves {
         for (wave, h) in self.layers.iter().rev() {
             let (lifted, more) = minors.in_unit(unit, wave.mu).lifted(wave, k, *h);
             (minors, unit) = (lifted, wave.mu);
-            // a power of two keeps every digit
-            let size = minors.0.iter().map(|m| m.norm()).fold(0.0, f64::max);
-            let power = if size.is_normal() { size.log2().floor() } else { 0.0 };
-            minors = minors.times(Complex64::from((-power).exp2()));
-            scale += more + power * std::f64::consts::LN_2;
+            let (factor, log) = power_of_two(minors.0.iter().map(larger).fold(0.0, f64::max));
+            minors = minors.times(Complex64::from(factor));
+            scale += more + log;
         }
         (minors.in_unit(unit, one), scale)
     }
@@ -234,11 +252,10 @@ impl Waves {
             let (below_v, below_t) = (v, t / wave.mu);
             v = below_v * cosh + below_t * sinhc * *h;
             t = wave.mu * (below_t * cosh + below_v * s * s * sinhc * *h);
-            let size = v.norm().max(t.norm() / wave.mu.norm());
-            let factor = if size.is_normal() { size.log2().floor() } else { 0.0 };
-            v *= (-factor).exp2();
-            t *= (-factor).exp2();
-            scale += s.re * h + factor * std::f64::consts::LN_2;
+            let (factor, log) = power_of_two(larger(&v).max(larger(&t) / wave.mu.re));
+            v *= factor;
+            t *= factor;
+            scale += s.re * h + log;
         }
         (v, t, scale)
     }

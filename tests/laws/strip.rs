@@ -21,9 +21,9 @@ pub const LAWS: &[(&str, Law)] = &[
 
 /// Wanted error of the integrals.
 const ACCURACY: f64 = 1e-6;
-/// Of the lifted path: measured 5.5e-6 of 7000 values that were to be 1e-6 exact, its estimate being one of two rules that may agree by
-/// chance.
-const LIFTED: f64 = 2e-5;
+/// Of the lifted path, over what was asked. Its estimate rests on two rules, which may agree by chance: measured 20 at the worst of 11 000
+/// values asked to 1e-6 (103 of them above it), 3 of as many asked to 1e-4 (11 above it).
+const LIFTED: f64 = 50.0;
 
 pub fn inputs() -> impl Strategy<Value = Input> {
     (ground((1e-2, 10.0), (0.1, 1e3)), log(0.2, 4.0), any::<bool>())
@@ -118,13 +118,15 @@ fn the_lifted_path_agrees_with_the_real_axis() {
             let (beta, omega) = (ground.k, ratio * ground.k * profile.slowest_rayleigh_speed());
             let prepared = Solver::DirectStiffness.prepare(&profile, omega, &[]).unwrap();
             let exact = prepared.strip(beta, strip, 1e-9);
-            let found = soil.stiffness_to(beta, omega, ACCURACY).unwrap();
             let on_axis = prepared.strip(beta, strip, ACCURACY);
-            let count = if found.count == on_axis.count { &axis } else { &lifted };
-            count.set(count.get() + 1);
-            if exact.converged {
-                let error = relative(1.0 / exact.value, found.value);
-                worst = worst.max(within(error, LIFTED, || format!("ω = {omega}, {found:?}"))?);
+            for asked in [1e-4, ACCURACY] {
+                let found = soil.stiffness_to(beta, omega, asked).unwrap();
+                let count = if found.count == on_axis.count { &axis } else { &lifted };
+                count.set(count.get() + 1);
+                if exact.converged {
+                    let over = relative(1.0 / exact.value, found.value) / asked;
+                    worst = worst.max(within(over, LIFTED, || format!("ω = {omega}, {found:?}"))?);
+                }
             }
         }
         Ok(worst)

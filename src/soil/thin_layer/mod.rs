@@ -233,7 +233,7 @@ impl PreparedGround for ThinLayerAt {
     fn strip(&self, beta: f64, strip: Strip, relative: f64) -> Estimate {
         match self.modes_at(beta.abs()) {
             Some(modes) => self.estimate(modes.surface.strip(beta, strip), modes),
-            None => quadrature(&|k| self.u_zz(k), &self.outline, beta, strip, relative),
+            None => quadrature(&|k| self.u_zz_many(k), &self.outline, beta, strip, relative),
         }
     }
 
@@ -241,7 +241,7 @@ impl PreparedGround for ThinLayerAt {
     fn receiver(&self, beta: f64, half_width: f64, y: f64, relative: f64) -> Estimate {
         match self.modes_at(beta.abs()) {
             Some(modes) => self.estimate(modes.surface.receivers(beta, half_width, &[y])[0], modes),
-            None => receiver_quadrature(&|k| self.u_zz(k), &self.outline, beta, half_width, y, relative),
+            None => receiver_quadrature(&|k| self.u_zz_many(k), &self.outline, beta, half_width, y, relative),
         }
     }
 
@@ -251,7 +251,9 @@ impl PreparedGround for ThinLayerAt {
                 let values = modes.surface.receivers(beta, half_width, y);
                 values.into_iter().map(|value| self.estimate(value, modes)).collect()
             }
-            None => receivers_quadrature(&|k| self.u_zz(k), &self.outline, beta, half_width, y, relative),
+            None => {
+                receivers_quadrature(&|k| self.u_zz_many(k), &self.outline, beta, half_width, y, relative)
+            }
         }
     }
 

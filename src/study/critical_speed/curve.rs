@@ -1,7 +1,7 @@
 //! Largest deflection against speed: its peak, its other maxima, its plateau.
 
 use super::extremes::Extremes;
-use crate::math::maximum::golden_section;
+use crate::math::maximum::by_parabolas;
 
 /// Width of the bracket at which the search for the maximum stops [m/s].
 const SPEED_WIDTH: f64 = 0.1;
@@ -129,13 +129,12 @@ fn largest(values: &[f64]) -> usize {
 fn refine<E>(speeds: &[f64], values: &[f64], down: impl FnMut(f64) -> Result<f64, E>) -> Result<Peak, E> {
     let top = largest(values);
     let at_end = top == 0 || top + 1 == speeds.len();
-    let grid = Peak { speed: speeds[top], down: values[top], at_end };
     if at_end {
-        return Ok(grid);
+        return Ok(Peak { speed: speeds[top], down: values[top], at_end });
     }
-    let (speed, value) = golden_section(down, speeds[top - 1], speeds[top + 1], SPEED_WIDTH)?;
-    // the grid point itself may be the best
-    Ok(if value >= grid.down { Peak { speed, down: value, at_end } } else { grid })
+    let (speed, down) =
+        by_parabolas(down, [top - 1, top, top + 1].map(|i| (speeds[i], values[i])), SPEED_WIDTH)?;
+    Ok(Peak { speed, down, at_end })
 }
 
 #[cfg(test)]

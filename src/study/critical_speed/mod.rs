@@ -8,12 +8,15 @@ pub use curve::{Hump, Peak, Plateau, SpeedCurve};
 
 use super::{Outcome, StudyError};
 use crate::progress::Observer;
+use crate::rail::MovingLoad;
 use crate::railway::{Railway, RailwayError};
 use extremes::{Extremes, reach};
 use rayon::prelude::*;
 
 /// So slow that only hysteresis tells moving from standing [m/s]: from 0.2 to 1 m/s deflections change by 2e-5.
 const SLOW: f64 = 1.0;
+/// Speeds in a row that learn from one another.
+const BLOCK: usize = 10;
 
 /// The speed curve.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,20 +59,33 @@ impl CriticalSpeed {
         let axle = train.heaviest_axle();
         let loads = if train.axles().len() > 1 { vec![&axle, train] } else { vec![&axle] };
         observer.begin("critical speed", self.speeds.len() as u64 + 3);
-        let at = |speed: f64| -> Result<(Vec<Extremes>, f64), StudyError> {
-            let response = track.moving(speed, reach(train))?;
+        type Row = (Vec<Extremes>, f64);
+        // begun with what the speed before it has learnt
+        let at = |speed: f64, before: &mut Option<MovingLoad>| -> Result<Row, StudyError> {
+            let response = track.moving_near(speed, reach(train), before.as_ref())?;
             observer.advance();
-            Ok((loads.iter().map(|load| Extremes::under(load, &response)).collect(), response.worst))
+            let extremes = loads.iter().map(|load| Extremes::under(load, &response)).collect();
+            let worst = response.worst;
+            *before = Some(response);
+            Ok((extremes, worst))
         };
-        let rows: Vec<(Vec<Extremes>, f64)> =
-            self.speeds.par_iter().map(|&speed| at(speed)).collect::<Result<_, _>>()?;
-        let (rest, slow) = (at(0.0)?.0, at(SLOW)?.0);
+        // blocks of the same speeds on any number of threads
+        let blocks = self.speeds.par_chunks(BLOCK).map(|block| {
+            let mut before = None;
+            block.iter().map(|speed| at(*speed, &mut before)).collect::<Result<Vec<Row>, _>>()
+        });
+        let rows: Vec<Row> = blocks.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
+        let (rest, slow) = (at(0.0, &mut None)?.0, at(SLOW, &mut None)?.0);
         let mut curves = (0..loads.len())
             .into_par_iter()
             .map(|i| {
                 let extremes: Vec<Extremes> = rows.iter().map(|row| row.0[i]).collect();
+                let mut before = None;
                 let down = |speed: f64| -> Result<f64, StudyError> {
-                    Ok(Extremes::under(loads[i], &track.moving(speed, reach(loads[i]))?).down)
+                    let response = track.moving_near(speed, reach(loads[i]), before.as_ref())?;
+                    let down = Extremes::under(loads[i], &response).down;
+                    before = Some(response);
+                    Ok(down)
                 };
                 SpeedCurve::new(&self.speeds, &extremes, (rest[i].down, slow[i].down), down)
             })
