@@ -3,7 +3,7 @@
 use super::pass::{Pass, pointwise};
 use super::{Sections, Transfer};
 use crate::math::interpolation::cubic_weights;
-use crate::soil::{GroundSolver, Profile, SoilError, Solver, Strip};
+use crate::soil::{Profile, SoilError, Solver, Strip};
 use crate::track::Stack;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -11,6 +11,9 @@ use std::f64::consts::TAU;
 
 /// Error of h from which on it counts as missed.
 const LEAST: f64 = 1e-3;
+/// Error of h that is asked for, and of G.
+const WANTED: f64 = 2e-4;
+const EXACT: f64 = 1e-5;
 
 /// What knows h along β = ω/v.
 pub enum ConstantLoad<'a> {
@@ -55,9 +58,9 @@ impl SlowLoad {
             .into_par_iter()
             .map(|i| {
                 let omega = TAU * (low + step * i as f64).exp();
-                let ground = solver.prepare(profile, omega, &[])?;
+                let ground = solver.prepare_many(profile, omega, omega / pass.speed, EXACT)?;
                 let transfer = Transfer::new(stack, ground.as_ref(), strip, omega);
-                let h = |y: &f64| transfer.exact(omega / pass.speed, *y, LEAST);
+                let h = |y: &f64| transfer.exact(omega / pass.speed, *y, WANTED, LEAST);
                 Ok(pass.receivers.iter().map(h).collect())
             })
             .collect::<Result<_, SoilError>>()?;

@@ -23,6 +23,6 @@ pub use pass_energy::{DrivingWave, PassEnergy};
 pub use pass_history::{QuasiStatic, Times};
 pub use passage::Passage;
 pub use section::Section;
-pub use sections::{Between, Sections};
+pub use sections::{Between, Sections, Tables};
 pub use standing_field::StandingField;
 pub use transfer::Transfer;

@@ -141,10 +141,11 @@ impl PassEnergy {
                 let from = band.lower() * (ratio * (i % PER_BAND) as f64).exp();
                 let (f, width) = (from * (0.5 * ratio).exp(), from * (ratio.exp() - 1.0));
                 let omega = TAU * f;
-                let (ground, shift) = (sections.at(omega), omega / pass.speed);
+                let (ground, shift) = (sections.at(omega).tables(), omega / pass.speed);
                 let rows = Rows::new(pass.train.axles(), pass.speed, (f, width));
                 let mut energy = vec![0.0; pass.receivers.len()];
-                for wave in waves {
+                let arrives = |wave: &&DrivingWave| (wave.wavenumber - shift).abs() <= ground.reach();
+                for wave in waves.iter().filter(arrives) {
                     // p(−Ω) = conj p(Ω)
                     let (up, down) = rows.means(&wave.forces);
                     for (r, slot) in energy.iter_mut().enumerate() {

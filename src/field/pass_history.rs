@@ -9,7 +9,7 @@
 //! profile under its own wheel, a_i behind the leading one.
 
 use super::pass::{Pass, pointwise};
-use super::{Between, Sections};
+use super::{Sections, Tables};
 use crate::irregularity::{Component, Realisation};
 use crate::math::complex::I;
 use crate::math::fourier::{fast_size, from_half_spectrum};
@@ -134,7 +134,7 @@ impl Pass<'_> {
                     return Array2::zeros(shape);
                 }
                 let omega = TAU * m as f64 / times.period();
-                let u = self.spectrum(&sections.at(omega), omega, &wheels, &waves);
+                let u = self.spectrum(&sections.at(omega).tables(), omega, &wheels, &waves);
                 observer.advance();
                 // e^{iωt} of the first sample
                 u * (I * omega * Complex64::cis(omega * times.first))
@@ -158,7 +158,7 @@ impl Pass<'_> {
     /// `waves`.
     fn spectrum(
         &self,
-        ground: &Between,
+        ground: &Tables,
         omega: f64,
         wheels: &[(f64, Vec<Complex64>)],
         waves: &[Vec<Complex64>],
@@ -166,6 +166,10 @@ impl Pass<'_> {
         let mut u = Array2::zeros((waves.len(), self.receivers.len()));
         let (phases, shift) = (self.phases(omega), omega / self.speed);
         for (j, (wavenumber, p)) in wheels.iter().enumerate() {
+            // where Ω + ω/v arrives Ω − ω/v does
+            if (wavenumber - shift).abs() > ground.reach() {
+                continue;
+            }
             // p(−Ω) = conj p(Ω)
             let up: Complex64 = p.iter().zip(&phases).map(|(p, c)| p * c).sum();
             let down: Complex64 = p.iter().zip(&phases).map(|(p, c)| p.conj() * c).sum();

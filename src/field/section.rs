@@ -81,6 +81,11 @@ impl Section {
         if beta > self.reach[receiver] { Complex64::ZERO } else { self.transfers[receiver].at(beta) }
     }
 
+    /// `h`(β) at receiver number `receiver`, known at every β of another ω = `stretch` times this one's, as a table of its own.
+    pub(super) fn alike(&self, receiver: usize, stretch: f64, h: impl Fn(f64) -> Complex64) -> Interpolant {
+        self.transfers[receiver].alike(stretch, h)
+    }
+
     /// Largest β that reaches receiver number `receiver` [rad/m].
     pub fn reach(&self, receiver: usize) -> f64 {
         self.reach[receiver]

@@ -1,7 +1,7 @@
 //! The ground across the track at any frequency: h(β, ω) between sections at some.
 
 use super::Section;
-use crate::math::interpolation::lagrange_within;
+use crate::math::interpolation::{Interpolant, lagrange_within};
 use crate::math::quadrature::miss;
 use crate::progress::Observer;
 use num_complex::Complex64;
@@ -37,6 +37,23 @@ pub struct Between<'a> {
     parts: [(f64, &'a Section, f64); NODES],
     /// Largest slowness that reaches each receiver [s/m].
     reach: Vec<f64>,
+}
+
+/// h(β) at one ω, for many β.
+pub struct Tables(Vec<(f64, Interpolant)>);
+
+impl Tables {
+    /// h(β) at receiver number `receiver` [m per N/m]; 0 where β is too short a wave to arrive.
+    pub fn transfer(&self, receiver: usize, beta: f64) -> Complex64 {
+        let (reach, table) = &self.0[receiver];
+        let beta = beta.abs();
+        if beta > *reach { Complex64::ZERO } else { table.at(beta) }
+    }
+
+    /// Largest β that reaches a receiver [rad/m].
+    pub fn reach(&self) -> f64 {
+        self.0.iter().map(|table| table.0).fold(0.0, f64::max)
+    }
 }
 
 impl Sections {
@@ -148,6 +165,22 @@ impl Sections {
 }
 
 impl Between<'_> {
+    /// The same as a table for each receiver, on the pieces of the nearest section: quicker from some hundred β on.
+    pub fn tables(&self) -> Tables {
+        let apart = |part: &&(f64, &Section, f64)| (part.0 - self.omega).abs();
+        let nearest =
+            self.parts.iter().min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(&self.parts[0]);
+        let stretch = self.omega / nearest.0;
+        let table = |r: usize| {
+            let reach = self.reach[r] * self.omega;
+            (
+                reach.min(stretch * nearest.1.reach(r)),
+                nearest.1.alike(r, stretch, |beta| self.transfer(r, beta)),
+            )
+        };
+        Tables((0..self.of.receivers.len()).map(table).collect())
+    }
+
     /// h(β) at receiver number `receiver` [m per N/m].
     pub fn transfer(&self, receiver: usize, beta: f64) -> Complex64 {
         let slowness = beta / self.omega;

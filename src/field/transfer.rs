@@ -60,15 +60,14 @@ impl<'a> Transfer<'a> {
         self.ground.receivers(beta, self.strip.half_width, y, relative)
     }
 
-    /// h(β) at `y` itself [m per N/m] to 1e-5, and its error over `least` of it. None where waves decay by more than 25 Np on
+    /// h(β) at `y` itself [m per N/m] to a `relative` accuracy, and its error over `least` of it. None where waves decay by more than 25 Np on
     /// the way: what little arrives is rounding of the integral, and no number is made of it.
-    pub fn exact(&self, beta: f64, y: f64, least: f64) -> Option<(Complex64, f64)> {
-        const EXACT: f64 = 1e-5;
+    pub fn exact(&self, beta: f64, y: f64, relative: f64, least: f64) -> Option<(Complex64, f64)> {
         if self.nepers(beta, y) > NEGLIGIBLE {
             return None;
         }
-        let under = self.compliance(beta, EXACT);
-        let beside = self.ground.receiver(beta, self.strip.half_width, y, EXACT);
+        let under = self.compliance(beta, relative);
+        let beside = self.ground.receiver(beta, self.strip.half_width, y, relative);
         let h = self.force(beta, under.value) * beside.value;
         Some((h, under.miss(least).max(beside.miss(least))))
     }

@@ -62,9 +62,7 @@ impl Piece {
         allowed: &impl Fn(f64, Complex64) -> f64,
         (from, to, depth): (f64, f64, u32),
     ) -> Result<Self, E> {
-        let nodes: [f64; NODES] = std::array::from_fn(|j| {
-            0.5 * (from + to) - 0.5 * (to - from) * (PI * (j as f64 + 0.5) / NODES as f64).cos()
-        });
+        let nodes = chebyshev_nodes(from, to);
         let values = f(&nodes)?;
         let coefficients = chebyshev_coefficients(&values);
         let tail = coefficients[NODES - 1].norm().max(coefficients[NODES - 2].norm());
@@ -155,6 +153,13 @@ impl Interpolant {
         })
     }
 
+    /// Another function, whose features lie where those of this one do times `stretch`, on its pieces stretched likewise.
+    pub fn alike(&self, stretch: f64, f: impl Fn(f64) -> Complex64) -> Self {
+        let ends: Vec<f64> = self.ends.iter().map(|end| stretch * end).collect();
+        let piece = |pair: &[f64]| chebyshev_coefficients(&chebyshev_nodes(pair[0], pair[1]).map(&f));
+        Self { coefficients: ends.windows(2).map(piece).collect(), ends, ..*self }
+    }
+
     /// Ends of its pieces, ascending.
     pub fn ends(&self) -> &[f64] {
         &self.ends
@@ -210,7 +215,14 @@ fn lagrange_weights<const N: usize>(nodes: &[f64; N], x: f64) -> [f64; N] {
     })
 }
 
-/// c_n = (2 − δ_n0)/NODES Σ_j f_j T_n(x_j), x_j = −cos(π(j + ½)/NODES) ascending
+/// x_j = −cos(π(j + ½)/NODES) of the piece, ascending.
+fn chebyshev_nodes(from: f64, to: f64) -> [f64; NODES] {
+    std::array::from_fn(|j| {
+        0.5 * (from + to) - 0.5 * (to - from) * (PI * (j as f64 + 0.5) / NODES as f64).cos()
+    })
+}
+
+/// c_n = (2 − δ_n0)/NODES Σ_j f_j T_n(x_j), x_j ascending
 fn chebyshev_coefficients(values: &[Complex64; NODES]) -> [Complex64; NODES] {
     // T_n(−x) = (−1)ⁿ T_n(x)
     static WEIGHTS: LazyLock<[[f64; NODES]; NODES]> = LazyLock::new(|| {

@@ -12,5 +12,6 @@ pub(crate) mod lanes;
 pub mod maximum;
 pub mod polynomial;
 pub mod quadrature;
+pub mod rational;
 pub mod root;
 pub mod scaling;

@@ -49,7 +49,7 @@ pub(super) fn labels(page: &Scene) -> Result<Vec<Label>, String> {
             y: top + over,
             content: content.clone(),
             size: *size,
-            anchor: anchor.clone(),
+            anchor: *anchor,
             rotate: None,
             bold: *bold,
             color: Some(Color::Rgb(0, 0, 0)),

@@ -20,6 +20,8 @@ mod lifted;
 mod material;
 mod mode_count;
 pub mod off_axis;
+mod pole_sum;
+pub mod poles;
 mod profile;
 mod real_secular;
 pub mod sampled;
@@ -33,6 +35,7 @@ pub use compliance::{Compliance, SurfaceCompliance};
 pub use direct_stiffness::DirectStiffness;
 pub use flexibility::Flexibility;
 pub use material::{Elastic, Material};
+pub use poles::Poles;
 pub use profile::{Base, Layer, Profile};
 pub use sampled::Sampled;
 pub use strip::{Compatibility, Strip};
@@ -190,7 +193,8 @@ impl Solver {
         }
     }
 
-    /// `profile` at `omega` ≠ 0, ready for many integrals over wavenumbers up to `highest` [rad/m] and beyond, to `accuracy` of G.
+    /// `profile` at `omega` ≠ 0, ready for many integrals over wavenumbers up to `highest` [rad/m] and beyond, to `accuracy` of G: by
+    /// poles in closed form; where no few poles do that by quadrature of a table.
     ///
     /// # Errors
     /// As `prepare`.
@@ -202,7 +206,13 @@ impl Solver {
         accuracy: f64,
     ) -> Result<Box<dyn PreparedGround>, SoilError> {
         let ground = self.resolving((0.0, highest), accuracy, None).prepare(profile, omega, &[])?;
-        Ok(if self.has_modes() { ground } else { Box::new(Sampled::new(ground, highest)) })
+        if self.has_modes() {
+            return Ok(ground);
+        }
+        Ok(match Poles::new(ground, accuracy) {
+            Ok(poles) => Box::new(poles),
+            Err(ground) => Box::new(Sampled::new(ground, highest)),
+        })
     }
 
     /// True if modes at one frequency, dear to find, answer every wavenumber.

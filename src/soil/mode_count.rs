@@ -172,7 +172,7 @@ impl RealWaves {
     }
 
     /// Layers from below, each with the number of its parts: ω² < c_s²(k² + π²/h²) for every part.
-    fn from_below(&self, k: f64) -> impl Iterator<Item = (&Elastic, f64, usize)> {
+    fn upward(&self, k: f64) -> impl Iterator<Item = (&Elastic, f64, usize)> {
         self.layers.iter().rev().map(move |(elastic, h)| {
             let parts = 1.0 + (h * (elastic.ks2 - k * k).max(0.0).sqrt() / PI).floor();
             (elastic, h / parts, parts as usize)
@@ -183,7 +183,7 @@ impl RealWaves {
     pub fn in_plane(&self, k: f64) -> usize {
         let mut below = self.half_space.map(|elastic| elastic.half_space(k));
         let mut sum = 0;
-        for (elastic, h, parts) in self.from_below(k) {
+        for (elastic, h, parts) in self.upward(k) {
             let (direct, cross) = elastic.layer(h, k);
             for _ in 0..parts {
                 below = Some(match below {
@@ -203,7 +203,7 @@ impl RealWaves {
     pub fn across(&self, k: f64) -> usize {
         let mut below = self.half_space.map(|elastic| elastic.half_space_across(k));
         let mut sum = 0;
-        for (elastic, h, parts) in self.from_below(k) {
+        for (elastic, h, parts) in self.upward(k) {
             let (direct, cross) = elastic.across(h, k);
             for _ in 0..parts {
                 below = Some(match below {

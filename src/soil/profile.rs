@@ -71,6 +71,14 @@ impl Profile {
         }
     }
 
+    /// How deep the material at the surface reaches [m], through however many layers of it; None where nothing else lies below.
+    pub fn top_thickness(&self) -> Option<f64> {
+        let other = self.layers.iter().position(|l| l.material != *self.top());
+        let count = other.unwrap_or(self.layers.len());
+        let ends = other.is_some() || self.base != Base::HalfSpace(*self.top());
+        ends.then(|| self.layers[..count].iter().map(|l| l.thickness).sum())
+    }
+
     /// Depth of the base [m].
     pub fn depth(&self) -> f64 {
         self.layers.iter().map(|l| l.thickness).sum()

@@ -79,7 +79,7 @@ pub struct Outline {
     pub tail: (Complex64, Complex64),
     /// ω/c_p, ω/c_s and ω/c_R of every material, ascending [rad/m].
     pub wavenumbers: Vec<f64>,
-    /// Thickness of the top layer [m]; None on a half-space.
+    /// Thickness of the top material [m]; None on a half-space.
     pub top_thickness: Option<f64>,
 }
 
@@ -92,10 +92,11 @@ impl Outline {
             .map(|c| omega.abs() / c)
             .collect();
         wavenumbers.sort_by(f64::total_cmp);
+        wavenumbers.dedup();
         Self {
             tail: half_space::static_tail(profile.top(), omega),
             wavenumbers,
-            top_thickness: profile.layers().first().map(|l| l.thickness),
+            top_thickness: profile.top_thickness(),
         }
     }
 }
@@ -130,7 +131,7 @@ pub(super) fn tail_integrals(beta_c: f64, strip: Strip) -> (f64, f64) {
 /// The same integrals with C = sinc(q b) cos(q y): displacement at `y` under a strip, or under a line where b = 0 < y.
 ///
 /// The means of K₀(β_c x)/π and (x/β_c) K₁(β_c x)/π over |y − b| … y + b.
-fn receiver_tail_integrals(beta_c: f64, b: f64, y: f64) -> (f64, f64) {
+pub(super) fn receiver_tail_integrals(beta_c: f64, b: f64, y: f64) -> (f64, f64) {
     if b == 0.0 {
         let m = modified_bessel(beta_c * y);
         return (m.k0 / PI, y / beta_c * m.k1 / PI);
@@ -195,13 +196,13 @@ pub(super) fn tail(outline: &Outline, kappa0: f64) -> (Complex64, Complex64) {
 }
 
 /// A/κ + B/κ³ at k.
-fn tail_at((a, third): (Complex64, Complex64), kappa0: f64, k: f64) -> Complex64 {
+pub(super) fn tail_at((a, third): (Complex64, Complex64), kappa0: f64, k: f64) -> Complex64 {
     let kappa2 = k * k + kappa0 * kappa0;
     (a + third / kappa2) / kappa2.sqrt()
 }
 
 /// The tail's integral from those of its two terms.
-fn known(tail: (Complex64, Complex64), integrals: (f64, f64)) -> Complex64 {
+pub(super) fn known(tail: (Complex64, Complex64), integrals: (f64, f64)) -> Complex64 {
     tail.0 * integrals.0 + tail.1 * integrals.1
 }
 

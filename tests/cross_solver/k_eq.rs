@@ -1,7 +1,7 @@
 //! Nine-digit equivalent stiffness.
 
 use crate::common::{named, rows};
-use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Strip};
+use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Layer, Profile, Strip};
 use num_complex::Complex64;
 
 #[test]
@@ -25,4 +25,20 @@ fn reference() {
     println!("worst {worst:e}, {} evaluations each", count / n);
     // measured 4.6e-10, the ninth digit of the table
     assert!(worst < 1e-7, "{worst:e}");
+}
+
+#[test]
+fn a_layer_cut_in_pieces_is_asked_no_more_often() {
+    let whole = named("paper_layered");
+    let top = whole.layers()[0];
+    let piece = Layer { thickness: top.thickness / 100.0, ..top };
+    let cut = Profile::new(vec![piece; 100], whole.base()).unwrap();
+    let strip = Strip { half_width: 1.25, compatibility: Compatibility::Mean };
+    for (beta, omega) in [(0.1, 30.0), (1.0, 120.0), (3.0, 300.0)] {
+        let ask = |profile| DirectStiffness.prepare(profile, omega, &[]).unwrap().strip(beta, strip, 1e-6);
+        let (one, many) = (ask(&whole), ask(&cut));
+        assert_eq!(one.count, many.count);
+        // measured 1e-13
+        assert!((one.value - many.value).norm() < 1e-10 * one.value.norm());
+    }
 }

@@ -13,6 +13,7 @@ mod light_damping;
 mod passage;
 mod periodic;
 mod periodic_moving;
+mod poles;
 mod receptance;
 mod sections;
 mod sleepers_on_ground;

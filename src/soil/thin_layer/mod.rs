@@ -114,7 +114,7 @@ impl ThinLayerAt {
                 let layers: Vec<_> = self.mesh.sublayers.iter().map(|s| s.in_plane(k)).collect();
                 let direct = chain::displacements(&layers, None, 0)[0][(1, 1)];
                 // written so that NaN is refused
-                let agrees = (modes.at_surface(k) - direct).norm() <= self.settings.accuracy * direct.norm();
+                let agrees = (modes.surface.at(k) - direct).norm() <= self.settings.accuracy * direct.norm();
                 if !agrees {
                     break;
                 }
@@ -183,7 +183,12 @@ impl ThinLayerAt {
     /// A closed form as an estimate; its error is that of the sublayers.
     fn estimate(&self, value: Complex64, modes: &Modes) -> Estimate {
         let error = self.settings.accuracy * value.norm();
-        Estimate { value: self.signed(value), error, count: modes.kappa.len(), converged: value.is_finite() }
+        Estimate {
+            value: self.signed(value),
+            error,
+            count: modes.surface.kappa.len(),
+            converged: value.is_finite(),
+        }
     }
 
     fn signed(&self, z: Complex64) -> Complex64 {
@@ -199,7 +204,7 @@ impl PreparedGround for ThinLayerAt {
 
     fn u_zz(&self, k: f64) -> Complex64 {
         self.signed(match self.modes_at(k) {
-            Some(modes) => modes.at_surface(k),
+            Some(modes) => modes.surface.at(k),
             None => self.direct(k, 0).0[0][(1, 1)],
         })
     }
@@ -227,7 +232,7 @@ impl PreparedGround for ThinLayerAt {
     /// In closed form where the modes answer at β.
     fn strip(&self, beta: f64, strip: Strip, relative: f64) -> Estimate {
         match self.modes_at(beta.abs()) {
-            Some(modes) => self.estimate(modes.strip(beta, strip), modes),
+            Some(modes) => self.estimate(modes.surface.strip(beta, strip), modes),
             None => quadrature(&|k| self.u_zz_many(k), &self.outline, beta, strip, relative),
         }
     }
@@ -235,7 +240,7 @@ impl PreparedGround for ThinLayerAt {
     /// In closed form where the modes answer at β.
     fn receiver(&self, beta: f64, half_width: f64, y: f64, relative: f64) -> Estimate {
         match self.modes_at(beta.abs()) {
-            Some(modes) => self.estimate(modes.receiver(beta, half_width, y), modes),
+            Some(modes) => self.estimate(modes.surface.receivers(beta, half_width, &[y])[0], modes),
             None => receiver_quadrature(&|k| self.u_zz_many(k), &self.outline, beta, half_width, y, relative),
         }
     }
@@ -243,7 +248,8 @@ impl PreparedGround for ThinLayerAt {
     fn receivers(&self, beta: f64, half_width: f64, y: &[f64], relative: f64) -> Vec<Estimate> {
         match self.modes_at(beta.abs()) {
             Some(modes) => {
-                y.iter().map(|y| self.estimate(modes.receiver(beta, half_width, *y), modes)).collect()
+                let values = modes.surface.receivers(beta, half_width, y);
+                values.into_iter().map(|value| self.estimate(value, modes)).collect()
             }
             None => {
                 receivers_quadrature(&|k| self.u_zz_many(k), &self.outline, beta, half_width, y, relative)
@@ -261,7 +267,7 @@ impl PreparedGround for ThinLayerAt {
             _ => SoilError::NoModes,
         })?;
         let signed = |z: &Complex64| self.signed(*z);
-        let poles = modes.kappa.iter().zip(&modes.surface);
+        let poles = modes.surface.kappa.iter().zip(&modes.surface.residue);
         Ok(poles.map(|(kappa, residue)| Pole { kappa: signed(kappa), residue: signed(residue) }).collect())
     }
 }

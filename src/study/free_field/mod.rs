@@ -51,7 +51,7 @@ pub struct FreeField {
     /// None: the quasi-static part alone.
     pub roughness: Option<Roughness>,
     /// What answers for the ground across the track, many β and receivers at one ω; None: the solver of the model. Modes do that in
-    /// closed form, solvers without them by quadrature, which takes ten times as long far from the track.
+    /// closed form, and so do the poles of exact solvers.
     pub sections: Option<Solver>,
 }
 
