@@ -254,8 +254,9 @@ impl RailWaves {
         for (behind, load) in &self.loads {
             // |x′ + a| ≤ reach
             let place = |x: f64| ((x - behind - from) / step).ceil().clamp(0.0, count as f64) as usize;
-            for i in place(-reach)..place(reach) {
-                shape[i] += load * self.tail.at(from + step * i as f64 + behind).re;
+            let (first, end) = (place(-reach), place(reach));
+            for (i, w) in (first..).zip(&mut shape[first..end]) {
+                *w += load * self.tail.at(from + step * i as f64 + behind).re;
             }
         }
         shape
