@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 const LEAST: f64 = 1e-3;
 /// Error of h that is asked for, and of G.
 const WANTED: f64 = 2e-4;
-const EXACT: f64 = 1e-5;
+const EXACT: f64 = 5e-5;
 
 /// What knows h along β = ω/v.
 pub enum ConstantLoad<'a> {

@@ -20,7 +20,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Support points after which poles are given up: damped grounds take 10 to 35.
 const MOST: usize = 48;
 /// What the approximation is made to, of the accuracy asked.
-const SHARE: f64 = 0.1;
+const SHARE: f64 = 0.02;
 
 /// G_zz of a ground by its poles; everything but strips and receivers is asked of the ground itself.
 pub struct Poles {
@@ -49,7 +49,7 @@ impl Poles {
         }
     }
 
-    /// Poles, tail, κ₀ and the error.
+    /// Poles, tail, κ₀ and the error over the samples; None where it is no number.
     fn found(
         ground: &dyn PreparedGround,
         accuracy: f64,
@@ -76,37 +76,30 @@ impl Poles {
             }
             samples
         };
-        let waves = outline.wavenumbers.iter().copied().chain([kappa0, 3.0 * kappa0, 9.0 * kappa0]);
-        let mut angles: Vec<f64> = waves.map(|k| (k / c.sqrt()).atan()).chain([0.0, FRAC_PI_2]).collect();
-        angles.sort_by(f64::total_cmp);
-        angles.dedup_by(|a, b| *a - *b < 0.03);
-        angles.pop();
-        angles.push(FRAC_PI_2);
+        let angles = first_angles(outline, kappa0, c);
         let (rational, samples) = Rational::adaptive(samples, &angles, MOST)?;
-        // ζ − p = −(p²/c)(κ − κ_p) near the pole
         // a pole beside its zero, of whom no sample feels a thousandth of what is allowed, stands for nothing
         let felt = |p: Complex64, residue: Complex64| {
             samples.iter().any(|s| residue.norm() > 1e-3 * s.allowed * (s.z - p).norm())
         };
         let poles = rational.poles()?.into_iter().filter(|(p, residue)| felt(*p, *residue));
+        // ζ − p = −(p²/c)(κ − κ_p) near the pole
         let (kappa, residue) = poles.map(|(p, residue)| (c / p - c, -residue * c / (p * p))).unzip();
         let sum = PoleSum { kappa, residue };
         let error = |s: &Sample| {
             let k = (c / s.z - c).max(0.0).sqrt();
             (sum.at(k) - s.value).norm() / s.allowed
         };
-        // written so that NaN is refused
-        let error =
-            samples.iter().filter(|s| s.z > 0.0).map(error).fold(0.0, |a, b| if b <= a { a } else { b });
-        error.is_finite().then_some((sum, tail, kappa0, error * accuracy))
+        let errors: Vec<f64> = samples.iter().filter(|s| s.z > 0.0).map(error).collect();
+        let worst = errors.iter().copied().fold(0.0, f64::max);
+        errors.iter().all(|e| e.is_finite()).then_some((sum, tail, kappa0, worst * accuracy))
     }
 
-    /// By what the relative error grows where waves fade over a `distance` [m]: poles in place of branch cuts do not fade quite as these
-    /// do, measured like e^{0.6 n} at n nepers.
+    /// What fades of an error over a `distance` [m]: poles in place of branch cuts fade like e^{−0.4 n} where the waves do like e^{−n}.
     fn fading(&self, beta: f64, distance: f64) -> f64 {
         let slowest = self.ground.outline().wavenumbers.last().copied().unwrap_or(0.0);
         let nepers = (beta * beta - slowest * slowest).max(0.0).sqrt() * distance.max(0.0);
-        (0.7 * nepers).exp()
+        (-0.3 * nepers).exp()
     }
 
     /// A closed form as an estimate, `tail` the integrals of the tail's terms.
@@ -115,6 +108,19 @@ impl Poles {
         let converged = self.error <= relative && value.is_finite();
         Estimate { value, error: self.error * value.norm(), count: self.sum.kappa.len(), converged }
     }
+}
+
+/// θ, k = √c tan θ, of the first support points: at rest, at the waves, where layers end to be felt, at infinity.
+fn first_angles(outline: &Outline, kappa0: f64, c: f64) -> Vec<f64> {
+    // apart enough for samples between them
+    const APART: f64 = 0.03;
+    let felt = outline.wavenumbers.iter().copied().chain([kappa0, 3.0 * kappa0, 9.0 * kappa0]);
+    let mut angles: Vec<f64> = felt.map(|k| (k / c.sqrt()).atan()).chain([0.0]).collect();
+    angles.sort_by(f64::total_cmp);
+    angles.dedup_by(|a, b| *a - *b < APART);
+    angles.retain(|theta| FRAC_PI_2 - theta > APART);
+    angles.push(FRAC_PI_2);
+    angles
 }
 
 impl PreparedGround for Poles {
@@ -152,18 +158,22 @@ impl PreparedGround for Poles {
 
     /// In closed form.
     fn receivers(&self, beta: f64, half_width: f64, y: &[f64], relative: f64) -> Vec<Estimate> {
-        let sums = self.sum.receivers(beta, half_width, y);
+        // G is wrong by its error everywhere, and R by that of what it is right under the load, less what fades on the way
+        let nearest = y.iter().map(|y| y.abs()).fold(f64::INFINITY, f64::min);
+        let under = if half_width > 0.0 { 0.0 } else { 0.1 * nearest };
+        let places: Vec<f64> = y.iter().copied().chain([under]).collect();
+        let sums = self.sum.receivers(beta, half_width, &places);
         let one = |(y, sum): (&f64, Complex64)| {
             let tail = strip::receiver_tail_integrals(beta.hypot(self.kappa0), half_width, y.abs());
-            let closed = self.estimate(sum, tail, relative);
-            let error = closed.error * self.fading(beta, y.abs() - half_width);
-            Estimate {
-                error,
-                converged: closed.converged && error <= relative * closed.value.norm(),
-                ..closed
-            }
+            self.estimate(sum, tail, relative)
         };
-        y.iter().zip(sums).map(one).collect()
+        let mut all: Vec<Estimate> = places.iter().zip(sums).map(one).collect();
+        let whole = all.pop().map_or(0.0, |under| under.error);
+        for (closed, y) in all.iter_mut().zip(y) {
+            closed.error = closed.error.max(whole * self.fading(beta, y.abs() - half_width));
+            closed.converged = closed.error <= relative * closed.value.norm();
+        }
+        all
     }
 
     fn modes(&self) -> Result<Vec<Pole>, SoilError> {
