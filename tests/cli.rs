@@ -188,10 +188,7 @@ fn bad_input_is_refused_in_one_message() {
         ("a hopeless grid", refused(asked, &hopeless, &["case.toml", "contour", "GB", "larger spacing"])),
         (
             "undamped, supercritical",
-            refused_case(
-                &undamped.replace(asked, &fast),
-                &["case.toml", "contour", "no damping", "0.001"],
-            ),
+            refused_case(&undamped.replace(asked, &fast), &["case.toml", "contour", "no damping", "0.001"]),
         ),
         (
             "descending frequencies",

@@ -173,9 +173,13 @@ impl Foundation for LayeredSoil {
     fn answer(&self, asked: Asked) -> Result<Stiffness, FoundationError> {
         count::add(Work::Stiffnesses, 1);
         let Asked { beta, omega, relative, .. } = asked;
-        let lifts = self.lifts(omega);
+        let phase_speed = if omega == 0.0 { 0.0 } else { (omega / beta).abs() };
+        // what has no waves is real and stays so: at rest, and undamped below its slowest wave
+        let quiet =
+            omega == 0.0 || self.profile.is_undamped() && phase_speed < self.profile.slowest_rayleigh_speed();
+        let lifts = !quiet && self.lifts(omega);
         if !lifts {
-            self.check(if omega == 0.0 { 0.0 } else { (omega / beta).abs() })?;
+            self.check(phase_speed)?;
         }
         let ground = self.ground(asked)?;
         let estimate = match lifts {

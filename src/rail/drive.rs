@@ -145,7 +145,7 @@ impl TrackOnFoundation<'_> {
         };
         let allowed = |beta: f64, stiffness| match beta > extent.felt {
             true => f64::INFINITY,
-            false => self.bearable(drive, beta, stiffness, 3.0 * ACCURACY * extent.sum),
+            false => self.bearable(drive, beta, stiffness, ACCURACY * extent.sum),
         };
         let ask = |x: f64, among| {
             // bit by bit the same ω at all speeds

@@ -107,7 +107,9 @@ impl<'a> TrackOnFoundation<'a> {
             // what the foundation adds to the rail's deflection, q²/k, q the force handed down
             let added = response.force.norm_sqr() / stiffness.norm();
             unfelt.step(beta, added * beta <= 0.1 * ACCURACY * sum);
-            faded.step(beta, left * beta < 0.5 * ACCURACY * sum);
+            // the base is asked as well, and has no tail
+            let fades = left.max(response.base.norm() * load) * beta < 0.5 * ACCURACY * sum;
+            faded.step(beta, fades);
             let bounded = beta <= BETA_CAP || self.half_length > 0.0;
             if let Some(end) = faded.since().or((beta > enough).then_some(beta)) {
                 let felt = unfelt.first.unwrap_or(end).min(end);

@@ -41,7 +41,7 @@ fn dense(stack: &Stack, profile: &Profile, speed: f64) -> Vec<f64> {
         points.push(beta);
         let share = beta * spectrum(beta).norm();
         largest = largest.max(share);
-        quiet = if beta > 3.0 && share < 3e-4 * largest { quiet + 1 } else { 0 };
+        quiet = if beta > 3.0 && share < 3e-6 * largest { quiet + 1 } else { 0 };
     }
     let mut integral = Adaptive::new();
     integral.add(&mut spectrum, &points);
@@ -66,7 +66,7 @@ fn compared(stack: &Stack, profile: &Profile, speed: f64) -> Result<(MovingLoad,
 /// What differs by more than 1e-3 is not called converged.
 fn honest(stack: &Stack, profile: &Profile, speed: f64) -> Verdict {
     let (response, gap) = compared(stack, profile, speed)?;
-    // measured 4.1e-4, of the dense one's end
+    // measured 4.1e-4 when the dense one ended earlier
     if response.converged() { within(gap, 1e-3, || format!("{speed} m/s, converged")) } else { Ok(0.0) }
 }
 
@@ -121,11 +121,9 @@ fn on_four_layers_that_hardly_damp() {
     let profile = four_layers();
     let (response, gap) = compared(&ballasted(), &profile, 109.6).unwrap();
     println!("{gap:e}, {} evaluations, missed by {:e}", response.count, response.worst);
-    // it would take 1e7 evaluations of the ground, is cut and says so; measured 3.03e6 and 1.4e-3, which
-    // depends on where the cut falls (uncut: 4e-6; cut in the order of β: 1.1e-2)
-    assert!(!response.converged() && response.count < 3_100_000, "{}", response.count);
-    // what it says of itself, in units of the 1e-5 it aims at, covers its error: measured 1.7e3, twelve times of it
-    assert!(gap < 1e-5 * response.worst && gap < 3e-3, "{gap:e} {:e}", response.worst);
+    // measured 1.8e6 evaluations and 1e-6, with three times the tolerance of the table 2e-5; on the real axis it would take 2e7 of them
+    assert!(response.converged() && response.count < 3_000_000, "{}", response.count);
+    assert!(gap < 1e-5, "{gap:e}");
 }
 
 #[test]

@@ -6,6 +6,7 @@
 //! `PROPTEST_CASES=5000 cargo test --release --test laws -- --nocapture` draws more and prints the worst value of each.
 
 mod agreement;
+mod batch;
 #[path = "../common/mod.rs"]
 mod common;
 mod dispersion;
