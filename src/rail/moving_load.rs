@@ -87,16 +87,17 @@ impl TrackOnFoundation<'_> {
     /// # Errors
     /// A foundation that cannot answer.
     pub fn spectrum(&self, speed: f64) -> Result<MovingSpectrum<'_>, InteractionError> {
-        self.spectrum_near(speed, None)
+        self.spectrum_near(speed, None, true)
     }
 
     fn spectrum_near(
         &self,
         speed: f64,
         near: Option<&RailLoad>,
+        base: bool,
     ) -> Result<MovingSpectrum<'_>, InteractionError> {
         self.check(0.0, speed)?;
-        let extent = self.extent(speed)?;
+        let extent = self.extent(speed, base)?;
         let mut line = self.constant_line(speed, &extent, near.map(|near| near.pieces.as_slice()))?;
         if !extent.bounded {
             line.worst = f64::INFINITY;
@@ -139,7 +140,7 @@ impl TrackOnFoundation<'_> {
         reach: f64,
         near: Option<&RailLoad>,
     ) -> Result<RailLoad, InteractionError> {
-        let spectrum = self.spectrum_near(speed, near)?;
+        let spectrum = self.spectrum_near(speed, near, false)?;
         let tail = self.tail(0.0, speed);
         let (rule, worst) = spectrum.rail(&tail, reach)?;
         let pieces = spectrum.line.pieces().to_vec();

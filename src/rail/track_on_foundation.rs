@@ -83,8 +83,8 @@ impl<'a> TrackOnFoundation<'a> {
         Self { stack, foundation, half_length }
     }
 
-    /// How far the spectrum reaches at `speed` [m/s].
-    pub(super) fn extent(&self, speed: f64) -> Result<Extent, InteractionError> {
+    /// How far the spectrum of the rail reaches at `speed` [m/s], and that of the `base` where it is asked for.
+    pub(super) fn extent(&self, speed: f64, base: bool) -> Result<Extent, InteractionError> {
         // in steps of ln ω that are the same at all speeds, so that foundations may keep what is dear at each ω
         const STEP: f64 = 0.25;
         let shift = if speed == 0.0 { 0.0 } else { speed.abs().ln() };
@@ -107,9 +107,9 @@ impl<'a> TrackOnFoundation<'a> {
             // what the foundation adds to the rail's deflection, q²/k, q the force handed down
             let added = response.force.norm_sqr() / stiffness.norm();
             unfelt.step(beta, added * beta <= 0.1 * ACCURACY * sum);
-            // the base is asked as well, and has no tail
-            let fades = left.max(response.base.norm() * load) * beta < 0.5 * ACCURACY * sum;
-            faded.step(beta, fades);
+            // the base has no tail
+            let most = if base { left.max(response.base.norm() * load) } else { left };
+            faded.step(beta, most * beta < 0.5 * ACCURACY * sum);
             let bounded = beta <= BETA_CAP || self.half_length > 0.0;
             if let Some(end) = faded.since().or((beta > enough).then_some(beta)) {
                 let felt = unfelt.first.unwrap_or(end).min(end);
@@ -178,7 +178,7 @@ mod tests {
         let stack = Stack::new(members, links);
         let speed = 83.30067;
         let track = TrackOnFoundation::new(&stack, &soil, 0.0);
-        let Extent { felt, end, sum, .. } = track.extent(speed).unwrap();
+        let Extent { felt, end, sum, .. } = track.extent(speed, true).unwrap();
         // what the foundation adds to the rail's deflection, of all, in a unit of ln β
         let added = |beta: f64| {
             let k = soil.stiffness_to(beta, -beta * speed, 1e-3).unwrap().value;
