@@ -127,12 +127,12 @@ fn excitation(studies: &[Study]) -> Vec<String> {
                     ),
                     None => "The rail is smooth: the quasi-static part of constant moving axle loads alone.".into(),
                 });
-                list.push(match study.sections {
-                    Some(solver) => {
-                        format!("Across the track the ground of the free field is solved by {}.", solver.name())
-                    }
-                    None => "Across the track the free field is a closed form of poles at each frequency: the modes of thin layers, else poles fitted to the compliance of the ground, which they follow to 1e-4.".into(),
-                });
+                if let Some(solver) = study.sections {
+                    list.push(format!(
+                        "Across the track the ground of the free field is solved by {}, as the case names no solver.",
+                        solver.name()
+                    ));
+                }
                 if let Some(Irregularity::Random { wavelengths: (from, to), seed, count, .. }) =
                     study.roughness.as_ref().map(|r| &r.irregularity)
                 {

@@ -7,13 +7,14 @@ use super::rail_studies::{decay_rate, receptance, track_response, transition};
 use super::ranges::{NOT_NEGATIVE, POSITIVE, numbers, speeds};
 use super::schema::{
     CaseInput, ContourInput, CriticalSpeedInput, DispersionInput, EquivalentStiffnessInput, FreeFieldInput,
-    SurfaceComplianceInput,
+    SoilInput, SurfaceComplianceInput,
 };
 use super::train::Wheels;
-use super::values::Range;
+use super::values::{Named, Range};
 use crate::assessment::Band;
 use crate::field::Quantity;
 use crate::quantity::positive;
+use crate::soil::{Solver, ThinLayer};
 use crate::study::{
     Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Irregularity, Roughness, Study,
     SurfaceComplianceTable,
@@ -69,7 +70,7 @@ const SLOWEST: f64 = 1.0;
 const LONGEST_PASSAGE: f64 = 3600.0;
 
 /// The free field, still of a smooth rail.
-fn free_field(input: &FreeFieldInput) -> Result<FreeField, Finding> {
+fn free_field(input: &FreeFieldInput, case: &CaseInput) -> Result<FreeField, Finding> {
     let speed = speeds(&Range::List(vec![input.speed]), "free_field.speed").map_err(|_| {
         Finding::new("free_field.speed", format!("{} m/s: it must be above zero", input.speed.0))
     })?[0];
@@ -101,7 +102,10 @@ fn free_field(input: &FreeFieldInput) -> Result<FreeField, Finding> {
         return Err(Finding::new("free_field.frequencies", message));
     }
     let bands = Band::range(from, to).map_err(|e| Finding::new("free_field.frequencies", e))?;
-    Ok(FreeField { speed, receivers, passage_time, bands, roughness: None, sections: None })
+    // a case that says nothing of solvers gets the quick one where it matters
+    let named = |soil: &Named<SoilInput>| matches!(soil, Named::Table(table) if table.solver.is_some());
+    let sections = (!case.soil.as_ref().is_some_and(named)).then(|| Solver::ThinLayer(ThinLayer::default()));
+    Ok(FreeField { speed, receivers, passage_time, bands, roughness: None, sections })
 }
 
 /// The wheels on an irregular rail.
@@ -173,7 +177,7 @@ pub fn studies(
     };
     let on_rail = rough.as_ref().and_then(|rough| rough.as_ref().ok());
     let free = |study| {
-        let smooth = free_field(study)?;
+        let smooth = free_field(study, input)?;
         Ok(Study::FreeField(Box::new(FreeField { roughness: on_rail.cloned(), ..smooth })))
     };
     let asked: [Option<Result<Study, Finding>>; 10] = [
