@@ -75,7 +75,7 @@ fn bad_input_is_refused_in_one_message() {
     let contour = "[contour]\nspeeds = [50.0]\nx = { from = -40.0, to = 20.0 }\ny = { from = -30.0, to = 30.0 }\nspacing = ";
     let (tiny, hopeless) = (format!("{contour}1e-3"), format!("{contour}1e-12"));
     let undamped = CASE.replace("loss_factor = 0.06", "loss_factor = 0.0");
-    let fast = contour.replace("50.0", "150.0") + "0.25";
+    let critical = |speeds: &str| undamped.replace(asked, &format!("[critical_speed]\nspeeds = {speeds}"));
     let point = "[track]\nkind = \"none\"\nload.kind = \"point\"\n[train]";
     let mut point_case = CASE.replace(asked, "[critical_speed]\nspeeds = [10.0, 20.0, 30.0]");
     let (a, b) = (point_case.find("[track]").unwrap(), point_case.find("[train]").unwrap());
@@ -188,7 +188,10 @@ fn bad_input_is_refused_in_one_message() {
         ("a hopeless grid", refused(asked, &hopeless, &["case.toml", "contour", "GB", "larger spacing"])),
         (
             "undamped, supercritical",
-            refused_case(&undamped.replace(asked, &fast), &["case.toml", "contour", "no damping", "0.001"]),
+            refused_case(
+                &critical("[50.0, 100.0, 200.0]"),
+                &["case.toml", "critical_speed", "no damping", "0.001"],
+            ),
         ),
         (
             "descending frequencies",

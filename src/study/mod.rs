@@ -259,6 +259,8 @@ impl Study {
             railway.check_statics()?;
         }
         let speeds: Vec<f64> = match self {
+            Self::CriticalSpeed(CriticalSpeed { speeds }) => speeds.clone(),
+            Self::TrackResponse(TrackResponse { speeds, .. }) => speeds.clone(),
             Self::Contour(study) => {
                 study.check(railway)?;
                 study.speeds.clone()
@@ -273,12 +275,8 @@ impl Study {
                 study.check(railway)?;
                 vec![f64::INFINITY]
             }
-            // no integral of theirs needs the real axis: the ground refuses where it has no value
-            Self::CriticalSpeed(_)
-            | Self::TrackResponse(_)
-            | Self::EquivalentStiffness(_)
-            | Self::Dispersion(_)
-            | Self::SurfaceCompliance(_) => return Ok(()),
+            // of undamped ground the limit is taken where there is one
+            Self::EquivalentStiffness(_) | Self::Dispersion(_) | Self::SurfaceCompliance(_) => return Ok(()),
         };
         Ok(railway.check_damping(speeds.into_iter())?)
     }
