@@ -125,32 +125,13 @@ impl TrackOnFoundation<'_> {
         near: Option<&[f64]>,
     ) -> Result<Line<'_>, FoundationError> {
         let drive = Drive { omega: 0.0, speed };
-        let ends = match self.foundation.grain() {
-            Grain::Formula => return Ok(self.formula(drive)),
-            Grain::Smooth => None,
-            Grain::Pieces(ends) => Some(ends),
+        let Some(plan) = Plan::new(self.foundation.grain(), drive, extent.end, near) else {
+            return Ok(self.formula(drive));
         };
-        let (first, looser, loosest) = if ends.is_some() { (1e-2, 1000.0, 1.0) } else { (1e-4, 1.0, 1e-3) };
-        // at rest there are no frequencies to share
-        let ends = ends.filter(|_| speed != 0.0);
-        let shared = ends.is_some();
-        let axis = Axis::Logarithm { shift: if shared { speed.abs().ln() } else { 0.0 } };
-        let (low, high) = (axis.x(BETA_MIN), axis.x(extent.end));
-        let points = match (ends, near) {
-            (Some(ends), _) => covering(&ends, low, high),
-            (None, Some(near)) if near.len() > 1 => {
-                near.iter().copied().filter(|end| *end < high - 0.1).chain([high]).collect()
-            }
-            (None, _) => four_pieces(low, high),
-        };
+        let Plan { axis, shared, .. } = plan;
         let allowed = |beta: f64, stiffness| match beta > extent.felt {
             true => f64::INFINITY,
             false => self.bearable(drive, beta, stiffness, ACCURACY * extent.sum),
-        };
-        let ask = |x: f64, among| {
-            // bit by bit the same ω at all speeds
-            let omega = if shared { -speed.signum() * x.exp() } else { drive.at(axis.beta(x)) };
-            Asked { beta: axis.beta(x), omega, relative: first, among: Some(among) }
         };
         let count = Cell::new(0);
         let asker =
@@ -158,25 +139,17 @@ impl TrackOnFoundation<'_> {
         let asker = RefCell::new(asker);
         let (mut highest, mut last) = (f64::NEG_INFINITY, Complex64::ONE);
         let compliance = |x: f64, asked: Asked| -> Result<Complex64, FoundationError> {
-            let wanted = |k: Complex64| (0.1 * allowed(asked.beta, k) * k.norm()).clamp(1e-8, loosest);
+            let wanted = |k: Complex64| (0.1 * allowed(asked.beta, k) * k.norm()).clamp(1e-8, plan.loosest);
             Ok(1.0 / asker.borrow_mut().as_felt(x, asked, wanted)?)
         };
         // what is kept by ω is asked at its own ω alone
-        let control = |x: f64| {
-            let among = Among { omega: (0.0, 0.0), beta: extent.end };
-            (!shared).then(|| compliance(x, ask(x, among))).transpose()
-        };
+        let control = |x: f64| (!shared).then(|| compliance(x, plan.asked(x, x))).transpose();
         let compliances = |nodes: &[f64; NODES]| -> Result<[Complex64; NODES], FoundationError> {
             if shared && allowed(axis.beta(nodes[0]), 1.0 / last).is_infinite() {
                 // any error is borne: the last one will do
                 return Ok([last; NODES]);
             }
-            let among = if shared {
-                piece(&points, nodes[0], axis)
-            } else {
-                Among { omega: (0.0, 0.0), beta: extent.end }
-            };
-            let asked = nodes.map(|x| ask(x, among));
+            let asked = nodes.map(|x| plan.asked(x, nodes[0]));
             self.foundation.begin(&asked);
             let mut values = [Complex64::ONE; NODES];
             for ((x, asked), value) in nodes.iter().zip(asked).zip(&mut values) {
@@ -187,8 +160,9 @@ impl TrackOnFoundation<'_> {
             }
             Ok(values)
         };
-        let error = |x: f64, compliance: Complex64| looser * allowed(axis.beta(x), 1.0 / compliance);
-        let table = Interpolant::controlled(compliances, control, &points, error, || count.get() < MOST)?;
+        let error = |x: f64, compliance: Complex64| plan.looser * allowed(axis.beta(x), 1.0 / compliance);
+        let table =
+            Interpolant::controlled(compliances, control, &plan.points, error, || count.get() < MOST)?;
         Ok(Line {
             drive,
             worst: table.worst.max(asker.borrow().missed),
@@ -271,6 +245,61 @@ impl TrackOnFoundation<'_> {
     fn felt(&self, drive: Drive, beta: f64, accuracy: f64) -> Result<Stiffness, FoundationError> {
         // at β = 0 the strip on a half-space has no static stiffness
         self.foundation.stiffness_to(beta.abs().max(BETA_MIN), drive.at(beta), accuracy)
+    }
+}
+
+/// How the line of a constant load is asked.
+struct Plan {
+    drive: Drive,
+    /// Largest β [rad/m].
+    end: f64,
+    axis: Axis,
+    /// Ends of the first pieces on the axis.
+    points: Vec<f64>,
+    /// Whether what is dear at one ω is kept for all speeds.
+    shared: bool,
+    /// Relative accuracy asked first, and the least that is ever asked.
+    first: f64,
+    loosest: f64,
+    /// What the table's error may be over what is felt.
+    looser: f64,
+}
+
+impl Plan {
+    /// As the `grain` of a foundation has it, up to β = `end`, from the pieces of a line `near` by where there is one; None of a formula.
+    fn new(grain: Grain, drive: Drive, end: f64, near: Option<&[f64]>) -> Option<Self> {
+        let ends = match grain {
+            Grain::Formula => return None,
+            Grain::Smooth => None,
+            Grain::Pieces(ends) => Some(ends),
+        };
+        let (first, looser, loosest) = if ends.is_some() { (1e-2, 1000.0, 1.0) } else { (1e-4, 1.0, 1e-3) };
+        // at rest there are no frequencies to share
+        let ends = ends.filter(|_| drive.speed != 0.0);
+        let shared = ends.is_some();
+        let axis = Axis::Logarithm { shift: if shared { drive.speed.abs().ln() } else { 0.0 } };
+        let (low, high) = (axis.x(BETA_MIN), axis.x(end));
+        let points = match (ends, near) {
+            (Some(ends), _) => covering(&ends, low, high),
+            (None, Some(near)) if near.len() > 1 => {
+                near.iter().copied().filter(|end| *end < high - 0.1).chain([high]).collect()
+            }
+            (None, _) => four_pieces(low, high),
+        };
+        Some(Self { drive, end, axis, points, shared, first, loosest, looser })
+    }
+
+    /// The question at `x` of the axis, among those of the piece around `of`.
+    fn asked(&self, x: f64, of: f64) -> Asked {
+        let beta = self.axis.beta(x);
+        if !self.shared {
+            let among = Among { omega: (0.0, 0.0), beta: self.end };
+            return Asked { beta, omega: self.drive.at(beta), relative: self.first, among: Some(among) };
+        }
+        // bit by bit the same ω at all speeds
+        let omega = -self.drive.speed.signum() * x.exp();
+        let among = piece(&self.points, of, self.axis);
+        Asked { beta, omega, relative: self.first, among: Some(among) }
     }
 }
 
