@@ -3,7 +3,7 @@
 use super::pass::{Pass, pointwise};
 use super::{Sections, Transfer};
 use crate::math::interpolation::cubic_weights;
-use crate::soil::{Profile, SoilError, Solver, Strip};
+use crate::soil::{GroundSolver, Profile, SoilError, Solver, Strip};
 use crate::track::Stack;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -11,9 +11,8 @@ use std::f64::consts::TAU;
 
 /// Error of h from which on it counts as missed.
 const LEAST: f64 = 1e-3;
-/// Error of h that is asked for, and of G.
+/// Error of h that is asked for.
 const WANTED: f64 = 2e-4;
-const EXACT: f64 = 5e-5;
 
 /// What knows h along β = ω/v.
 pub enum ConstantLoad<'a> {
@@ -58,10 +57,9 @@ impl SlowLoad {
             .into_par_iter()
             .map(|i| {
                 let omega = TAU * (low + step * i as f64).exp();
-                let ground = solver.prepare_many(profile, omega, omega / pass.speed, EXACT)?;
+                let ground = solver.prepare(profile, omega, &[])?;
                 let transfer = Transfer::new(stack, ground.as_ref(), strip, omega);
-                let h = |y: &f64| transfer.exact(omega / pass.speed, *y, WANTED, LEAST);
-                Ok(pass.receivers.iter().map(h).collect())
+                Ok(transfer.exact(omega / pass.speed, pass.receivers, WANTED, LEAST))
             })
             .collect::<Result<_, SoilError>>()?;
         // velocities ω|h| of less than 1e-3 of a receiver's largest add 1e-6 of its energy: what is known of them does not count

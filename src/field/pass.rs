@@ -3,7 +3,7 @@
 use super::{Section, Sections};
 use crate::assessment::Band;
 use crate::progress::Observer;
-use crate::soil::{Profile, SoilError, Solver, Strip};
+use crate::soil::{GroundSolver, Profile, SoilError, Solver, Strip};
 use crate::track::Stack;
 use crate::vehicle::Train;
 use num_complex::Complex64;
@@ -55,7 +55,8 @@ impl Pass<'_> {
         TAU * self.highest() / self.speed + sections.reach()
     }
 
-    /// h(β, ω) at the receivers of `stack` on the `strip` of a ground and its solver, from the lowest frequency of histories of
+    /// h(β, ω) at the receivers of `stack` on the `strip` of a ground and its solver, on paths lifted off the poles, by the solver
+    /// `otherwise` where they may not be taken; from the lowest frequency of histories of
     /// `period` [s], or of the bands, to the upper end of the bands.
     ///
     /// Accuracy: as [`Sections::new`].
@@ -65,14 +66,18 @@ impl Pass<'_> {
     pub fn sections(
         &self,
         stack: &Stack,
-        (profile, solver): (&Profile, Solver),
+        (profile, solver, otherwise): (&Profile, Solver, Solver),
         strip: Strip,
         period: f64,
         observer: &dyn Observer,
     ) -> Result<Sections, SoilError> {
         let lowest = self.bands.iter().map(|b| b.lower()).fold(1.0 / period, f64::min);
         let section = |omega: f64| {
-            let ground = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
+            let exact = solver.prepare(profile, omega, &[])?;
+            if let Some(section) = Section::lifted(stack, exact.as_ref(), strip, omega, self.receivers) {
+                return Ok(section);
+            }
+            let ground = otherwise.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
             Ok(Section::new(stack, ground.as_ref(), strip, omega, self.receivers))
         };
         let (range, slowest) = ((TAU * lowest, TAU * self.highest()), profile.slowest_rayleigh_speed());

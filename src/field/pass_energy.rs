@@ -145,13 +145,15 @@ impl PassEnergy {
                 let rows = Rows::new(pass.train.axles(), pass.speed, (f, width));
                 let mut energy = vec![0.0; pass.receivers.len()];
                 let arrives = |wave: &&DrivingWave| (wave.wavenumber - shift).abs() <= ground.reach();
-                for wave in waves.iter().filter(arrives) {
-                    // p(−Ω) = conj p(Ω)
-                    let (up, down) = rows.means(&wave.forces);
-                    for (r, slot) in energy.iter_mut().enumerate() {
-                        let near = ground.transfer(r, wave.wavenumber - shift).norm_sqr();
-                        let far = ground.transfer(r, wave.wavenumber + shift).norm_sqr();
-                        *slot += 2.0 * omega * omega * width * wave.weight * (up * near + down * far);
+                let heard: Vec<&DrivingWave> = waves.iter().filter(arrives).collect();
+                // p(−Ω) = conj p(Ω)
+                let means: Vec<(f64, f64)> = heard.iter().map(|wave| rows.means(&wave.forces)).collect();
+                for (r, slot) in energy.iter_mut().enumerate() {
+                    let near = ground.transfers(r, heard.iter().map(|wave| wave.wavenumber - shift));
+                    let far = ground.transfers(r, heard.iter().map(|wave| wave.wavenumber + shift));
+                    for (((wave, (up, down)), near), far) in heard.iter().zip(&means).zip(near).zip(far) {
+                        let squares = up * near.norm_sqr() + down * far.norm_sqr();
+                        *slot += 2.0 * omega * omega * width * wave.weight * squares;
                     }
                 }
                 observer.advance();

@@ -121,8 +121,8 @@ impl Pass<'_> {
             first.components().par_iter().map(|c| (c.wavenumber, forces(c.wavenumber))).collect();
         // ½ a e^{iθ}/v
         let wave = |c: &Component| Complex64::from_polar(0.5 * c.amplitude / self.speed, c.phase);
-        let waves: Vec<Vec<Complex64>> =
-            profiles.iter().map(|p| p.components().iter().map(wave).collect()).collect();
+        let of = |j: usize| profiles.iter().map(|p| wave(&p.components()[j])).collect();
+        let waves: Vec<Vec<Complex64>> = (0..wheels.len()).map(of).collect();
         let harmonics = (self.highest() * times.period()).floor() as usize;
         observer.begin("dynamic", harmonics as u64);
         let shape = (profiles.len(), self.receivers.len());
@@ -134,7 +134,7 @@ impl Pass<'_> {
                     return Array2::zeros(shape);
                 }
                 let omega = TAU * m as f64 / times.period();
-                let u = self.spectrum(&sections.at(omega).tables(), omega, &wheels, &waves);
+                let u = self.spectrum(&sections.at(omega).tables(), omega, &wheels, &waves, profiles.len());
                 observer.advance();
                 // e^{iωt} of the first sample
                 u * (I * omega * Complex64::cis(omega * times.first))
@@ -154,30 +154,33 @@ impl Pass<'_> {
             .collect()
     }
 
-    /// û_dyn at one ω = `omega`, profiles × receivers: `ground` there, Ω and p of all `wheels`, ½ a e^{iθ}/v of each profile's
-    /// `waves`.
+    /// û_dyn at one ω = `omega`, profiles × receivers: `ground` there, Ω and p of all `wheels`, ½ a e^{iθ}/v of every one of the `waves` in
+    /// each of so many `profiles`.
     fn spectrum(
         &self,
         ground: &Tables,
         omega: f64,
         wheels: &[(f64, Vec<Complex64>)],
         waves: &[Vec<Complex64>],
+        profiles: usize,
     ) -> Array2<Complex64> {
-        let mut u = Array2::zeros((waves.len(), self.receivers.len()));
+        let mut u = Array2::zeros((profiles, self.receivers.len()));
         let (phases, shift) = (self.phases(omega), omega / self.speed);
-        for (j, (wavenumber, p)) in wheels.iter().enumerate() {
-            // where Ω + ω/v arrives Ω − ω/v does
-            if (wavenumber - shift).abs() > ground.reach() {
-                continue;
-            }
-            // p(−Ω) = conj p(Ω)
-            let up: Complex64 = p.iter().zip(&phases).map(|(p, c)| p * c).sum();
-            let down: Complex64 = p.iter().zip(&phases).map(|(p, c)| p.conj() * c).sum();
-            for r in 0..self.receivers.len() {
-                let near = up * ground.transfer(r, wavenumber - shift);
-                let far = down * ground.transfer(r, wavenumber + shift);
-                for (i, waves) in waves.iter().enumerate() {
-                    u[(i, r)] += waves[j] * near + waves[j].conj() * far;
+        // where Ω + ω/v arrives Ω − ω/v does
+        let heard = |j: &usize| (wheels[*j].0 - shift).abs() <= ground.reach();
+        let heard: Vec<usize> = (0..wheels.len()).filter(heard).collect();
+        // p(−Ω) = conj p(Ω)
+        let up = |j: &usize| -> Complex64 { wheels[*j].1.iter().zip(&phases).map(|(p, c)| p * c).sum() };
+        let down =
+            |j: &usize| -> Complex64 { wheels[*j].1.iter().zip(&phases).map(|(p, c)| p.conj() * c).sum() };
+        let passed: Vec<[Complex64; 2]> = heard.iter().map(|j| [up(j), down(j)]).collect();
+        for r in 0..self.receivers.len() {
+            let near = ground.transfers(r, heard.iter().map(|j| wheels[*j].0 - shift));
+            let far = ground.transfers(r, heard.iter().map(|j| wheels[*j].0 + shift));
+            for (((j, [up, down]), near), far) in heard.iter().zip(&passed).zip(near).zip(far) {
+                let (near, far) = (up * near, down * far);
+                for (u, wave) in u.column_mut(r).iter_mut().zip(&waves[*j]) {
+                    *u += wave * near + wave.conj() * far;
                 }
             }
         }

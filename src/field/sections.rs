@@ -1,6 +1,7 @@
 //! The ground across the track at any frequency: h(β, ω) between sections at some.
 
 use super::Section;
+use super::section::cut_off;
 use crate::math::interpolation::{Interpolant, lagrange_within};
 use crate::math::quadrature::miss;
 use crate::progress::Observer;
@@ -43,11 +44,10 @@ pub struct Between<'a> {
 pub struct Tables(Vec<(f64, Interpolant)>);
 
 impl Tables {
-    /// h(β) at receiver number `receiver` [m per N/m]; 0 where β is too short a wave to arrive.
-    pub fn transfer(&self, receiver: usize, beta: f64) -> Complex64 {
+    /// h(β) at receiver number `receiver` [m per N/m] for many β; 0 where β is too short a wave to arrive.
+    pub fn transfers(&self, receiver: usize, beta: impl Iterator<Item = f64>) -> Vec<Complex64> {
         let (reach, table) = &self.0[receiver];
-        let beta = beta.abs();
-        if beta > *reach { Complex64::ZERO } else { table.at(beta) }
+        cut_off(table, *reach, beta)
     }
 
     /// Largest β that reaches a receiver [rad/m].
@@ -158,10 +158,20 @@ impl Sections {
         self.sections.iter().map(of).fold(0.0, f64::max)
     }
 
+    /// Whether all were found on lifted paths.
+    pub fn lifted(&self) -> bool {
+        self.sections.iter().all(|section| section.lifted)
+    }
+
     /// How many there are.
     pub fn count(&self) -> usize {
         self.omega.len()
     }
+}
+
+/// w e^{iφ}
+fn turned(weight: f64, phase: f64) -> Complex64 {
+    if phase == 0.0 { weight.into() } else { Complex64::from_polar(weight, phase) }
 }
 
 impl Between<'_> {
@@ -175,7 +185,7 @@ impl Between<'_> {
             let reach = self.reach[r] * self.omega;
             (
                 reach.min(stretch * nearest.1.reach(r)),
-                nearest.1.alike(r, stretch, |beta| self.transfer(r, beta)),
+                nearest.1.alike(r, stretch, |beta| self.transfers(r, beta)),
             )
         };
         Tables((0..self.of.receivers.len()).map(table).collect())
@@ -183,18 +193,27 @@ impl Between<'_> {
 
     /// h(β) at receiver number `receiver` [m per N/m].
     pub fn transfer(&self, receiver: usize, beta: f64) -> Complex64 {
-        let slowness = beta / self.omega;
-        if slowness.abs() > self.reach[receiver] {
-            return Complex64::ZERO;
-        }
+        self.transfers(receiver, &[beta])[0]
+    }
+
+    /// The same at many β.
+    pub fn transfers(&self, receiver: usize, beta: &[f64]) -> Vec<Complex64> {
+        let (slowest, distance) = (self.of.slowness, self.of.receivers[receiver]);
+        let slownesses: Vec<f64> = beta.iter().map(|beta| beta.abs() / self.omega).collect();
         // τ(s); evanescent waves have no phase to take out
-        let time =
-            (self.of.slowness.powi(2) - slowness * slowness).max(0.0).sqrt() * self.of.receivers[receiver];
-        let part = |(omega, section, weight): &(f64, &Section, f64)| {
-            section.transfer(receiver, slowness * omega)
-                * Complex64::from_polar(*weight, (omega - self.omega) * time)
-        };
-        self.parts.iter().map(part).sum()
+        let time = |s: &f64| (slowest * slowest - s * s).max(0.0).sqrt() * distance;
+        let times: Vec<f64> = slownesses.iter().map(time).collect();
+        let mut sums = vec![Complex64::ZERO; beta.len()];
+        for &(omega, section, weight) in &self.parts {
+            let values = section.transfers(receiver, slownesses.iter().map(|s| s * omega));
+            for ((sum, value), time) in sums.iter_mut().zip(values).zip(&times) {
+                *sum += value * turned(weight, (omega - self.omega) * time);
+            }
+        }
+        for (sum, _) in sums.iter_mut().zip(&slownesses).filter(|(_, s)| **s > self.reach[receiver]) {
+            *sum = Complex64::ZERO;
+        }
+        sums
     }
 
     /// How far `section`, at this ω, is from what its neighbours say, over what is allowed.

@@ -49,10 +49,27 @@ impl<'a> Transfer<'a> {
     /// R(β; y) [m²/N] to `relative` of the waves beside which it decays, not of itself, and its error over ten times that; 0 where
     /// nothing arrives.
     pub fn receiver(&self, beta: f64, y: f64, relative: f64) -> (Complex64, f64) {
-        let nepers = self.nepers(beta, y);
-        let wanted = (relative * nepers.exp()).min(0.1);
+        let wanted = (relative * self.nepers(beta, y).exp()).min(0.1);
         let estimate = self.ground.receiver(beta, self.strip.half_width, y, wanted);
-        (estimate.value, if nepers > NEGLIGIBLE { 0.0 } else { estimate.miss(10.0 * wanted) })
+        (estimate.value, self.miss(beta, y, relative, &estimate))
+    }
+
+    /// Error of such an `estimate` over ten times what was wanted.
+    pub fn miss(&self, beta: f64, y: f64, relative: f64, estimate: &Estimate) -> f64 {
+        let nepers = self.nepers(beta, y);
+        if nepers > NEGLIGIBLE { 0.0 } else { estimate.miss(10.0 * (relative * nepers.exp()).min(0.1)) }
+    }
+
+    /// Largest β that reaches `y` [rad/m].
+    pub fn reach(&self, y: f64) -> f64 {
+        // waves decay from the edge of the strip; nearer to it than its half-width the track's own bending fades them first
+        let distance = (y - self.strip.half_width).max(0.5 * self.strip.half_width);
+        self.slowest.hypot((1e4f64.ln() + 2.0) / distance)
+    }
+
+    /// Wavenumbers of all waves [rad/m], ascending.
+    pub fn waves(&self) -> &[f64] {
+        &self.ground.outline().wavenumbers
     }
 
     /// R(β; y) [m²/N] for many `y`, nearest first, to a `relative` accuracy.
@@ -60,15 +77,19 @@ impl<'a> Transfer<'a> {
         self.ground.receivers(beta, self.strip.half_width, y, relative)
     }
 
-    /// h(β) at `y` itself [m per N/m] to a `relative` accuracy, and its error over `least` of it. None where waves decay by more than 25 Np on
-    /// the way: what little arrives is rounding of the integral, and no number is made of it.
-    pub fn exact(&self, beta: f64, y: f64, relative: f64, least: f64) -> Option<(Complex64, f64)> {
-        if self.nepers(beta, y) > NEGLIGIBLE {
-            return None;
+    /// h(β) at each `y` itself [m per N/m] to a `relative` accuracy, and its error over `least` of it. None where waves decay by more than
+    /// 25 Np on the way: what little arrives is rounding of the integral, and no number is made of it.
+    pub fn exact(&self, beta: f64, y: &[f64], relative: f64, least: f64) -> Vec<Option<(Complex64, f64)>> {
+        let arrives = |y: &f64| self.nepers(beta, *y) <= NEGLIGIBLE;
+        if !y.iter().any(arrives) {
+            return vec![None; y.len()];
         }
         let under = self.compliance(beta, relative);
-        let beside = self.ground.receiver(beta, self.strip.half_width, y, relative);
-        let h = self.force(beta, under.value) * beside.value;
-        Some((h, under.miss(least).max(beside.miss(least))))
+        let force = self.force(beta, under.value);
+        let h = |y: &f64| {
+            let beside = self.ground.receiver(beta, self.strip.half_width, *y, relative);
+            (force * beside.value, under.miss(least).max(beside.miss(least)))
+        };
+        y.iter().map(|y| arrives(y).then(|| h(y))).collect()
     }
 }

@@ -6,8 +6,10 @@
 use ndarray::Array2;
 use num_complex::Complex64;
 use rayon::prelude::*;
+use rustfft::{Fft, FftDirection, FftPlanner};
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 /// A uniform axis of positions with the wavenumbers of its transform.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -92,7 +94,7 @@ pub fn inverse_2d<E: Send>(
     let (n_x, n_y) = (x.period_count, y.period_count);
     let rows = rows.min(n_x / 2 + 1);
     let (count_y, count_x) = (count.0.min(n_y), count.1.min(n_x));
-    let along_y = rustfft::FftPlanner::new().plan_fft_inverse(n_y);
+    let along_y = plan(n_y, FftDirection::Inverse);
     let along_x = realfft::RealFftPlanner::new().plan_fft_inverse(n_x);
     let scale = x.beta_step() * y.beta_step() / (4.0 * PI * PI);
     let shift_y: Vec<Complex64> = (0..n_y).map(|n| y.shift(n)).collect();
@@ -143,7 +145,7 @@ pub fn inverse_2d<E: Send>(
 /// The half step keeps samples off θ = 0 and ±π/2 (N a multiple of 4).
 pub fn harmonics(mut samples: Vec<Complex64>) -> Vec<Complex64> {
     let count = samples.len();
-    rustfft::FftPlanner::new().plan_fft_forward(count).process(&mut samples);
+    plan(count, FftDirection::Forward).process(&mut samples);
     for (i, value) in samples.iter_mut().enumerate() {
         let n = if i <= count / 2 { i as f64 } else { i as f64 - count as f64 };
         *value *= Complex64::cis(-PI * n / count as f64) / count as f64;
@@ -153,13 +155,16 @@ pub fn harmonics(mut samples: Vec<Complex64>) -> Vec<Complex64> {
 
 /// Σ g_n e^{inφ_i} at φ_i = 2πi/N from N harmonics in the order of [`harmonics`].
 pub fn from_harmonics(mut harmonics: Vec<Complex64>) -> Vec<Complex64> {
-    thread_local! {
-        // keeps the factors of every size it has seen: they cost more than the transform
-        static PLANS: RefCell<rustfft::FftPlanner<f64>> = RefCell::new(rustfft::FftPlanner::new());
-    }
-    let plan = PLANS.with_borrow_mut(|plans| plans.plan_fft_inverse(harmonics.len()));
-    plan.process(&mut harmonics);
+    plan(harmonics.len(), FftDirection::Inverse).process(&mut harmonics);
     harmonics
+}
+
+/// A transform of `size` numbers, from a planner that keeps the factors of every size it has seen: they cost more than the transform.
+fn plan(size: usize, direction: FftDirection) -> Arc<dyn Fft<f64>> {
+    thread_local! {
+        static PLANS: RefCell<FftPlanner<f64>> = RefCell::new(FftPlanner::new());
+    }
+    PLANS.with_borrow_mut(|plans| plans.plan_fft(size, direction))
 }
 
 /// û(f_n) = Δt Σ_j u_j e^{−2πi n j/N}, f_n = n/(N Δt), n = 0 … N/2, of samples `values` at t_j = j Δt, Δt = `step` [s],
@@ -167,7 +172,7 @@ pub fn from_harmonics(mut harmonics: Vec<Complex64>) -> Vec<Complex64> {
 pub fn half_spectrum(values: &[f64], step: f64, period_count: usize) -> Vec<Complex64> {
     let mut spectrum: Vec<Complex64> = values.iter().map(|u| Complex64::from(u * step)).collect();
     spectrum.resize(period_count, Complex64::ZERO);
-    rustfft::FftPlanner::new().plan_fft_forward(period_count).process(&mut spectrum);
+    plan(period_count, FftDirection::Forward).process(&mut spectrum);
     spectrum.truncate(period_count / 2 + 1);
     spectrum
 }
@@ -185,7 +190,7 @@ pub fn from_half_spectrum(spectrum: &[Complex64], step: f64, period_count: usize
             (whole[n], whole[period_count - n]) = (u, u.conj());
         }
     }
-    rustfft::FftPlanner::new().plan_fft_inverse(period_count).process(&mut whole);
+    plan(period_count, FftDirection::Inverse).process(&mut whole);
     whole.iter().map(|u| u.re).collect()
 }
 
@@ -201,8 +206,7 @@ pub fn filter(
 ) -> Vec<f64> {
     let mut spectrum: Vec<Complex64> = values.iter().copied().map(Complex64::from).collect();
     spectrum.resize(period_count, Complex64::ZERO);
-    let mut planner = rustfft::FftPlanner::new();
-    planner.plan_fft_forward(period_count).process(&mut spectrum);
+    plan(period_count, FftDirection::Forward).process(&mut spectrum);
     let half = period_count / 2;
     let df = 1.0 / (period_count as f64 * step);
     for n in 0..=half {
@@ -215,7 +219,7 @@ pub fn filter(
             spectrum[period_count - n] *= h.conj();
         }
     }
-    planner.plan_fft_inverse(period_count).process(&mut spectrum);
+    plan(period_count, FftDirection::Inverse).process(&mut spectrum);
     spectrum[..values.len()].iter().map(|u| u.re).collect()
 }
 

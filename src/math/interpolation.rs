@@ -1,6 +1,9 @@
 //! Adaptive piecewise Chebyshev interpolation: many cheap values of a dear complex function.
 
+use super::lanes::LANES;
 use super::quadrature::miss;
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f64x8};
 use num_complex::Complex64;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -154,10 +157,13 @@ impl Interpolant {
     }
 
     /// Another function, whose features lie where those of this one do times `stretch`, on its pieces stretched likewise.
-    pub fn alike(&self, stretch: f64, f: impl Fn(f64) -> Complex64) -> Self {
+    /// It is asked for all nodes at once, ascending.
+    pub fn alike(&self, stretch: f64, f: impl FnOnce(&[f64]) -> Vec<Complex64>) -> Self {
         let ends: Vec<f64> = self.ends.iter().map(|end| stretch * end).collect();
-        let piece = |pair: &[f64]| chebyshev_coefficients(&chebyshev_nodes(pair[0], pair[1]).map(&f));
-        Self { coefficients: ends.windows(2).map(piece).collect(), ends, ..*self }
+        let nodes: Vec<f64> = ends.windows(2).flat_map(|pair| chebyshev_nodes(pair[0], pair[1])).collect();
+        let values = f(&nodes);
+        let (pieces, _) = values.as_chunks::<NODES>();
+        Self { coefficients: pieces.iter().map(chebyshev_coefficients).collect(), ends, ..*self }
     }
 
     /// Ends of its pieces, ascending.
@@ -168,6 +174,37 @@ impl Interpolant {
     /// True where the tolerance was met everywhere.
     pub fn converged(&self) -> bool {
         self.worst <= 1.0
+    }
+
+    /// The values at many `x`, as [`at`](Self::at): eight at a time of neighbours on one piece.
+    pub fn at_many(&self, x: &[f64]) -> Vec<Complex64> {
+        dispatch!(Level::new(), simd => self.at_many_in_lanes(simd, x))
+    }
+
+    #[inline(always)]
+    fn at_many_in_lanes<S: Simd>(&self, simd: S, x: &[f64]) -> Vec<Complex64> {
+        let mut values = Vec::with_capacity(x.len());
+        let last = self.coefficients.len() - 1;
+        while let Some(&first) = x.get(values.len()) {
+            let rest = &x[values.len()..];
+            let piece = self.ends[1..=last].partition_point(|&end| end < first);
+            let (from, to) = (self.ends[piece], self.ends[piece + 1]);
+            let inside = |x: &&f64| (piece == 0 || from < **x) && (piece == last || **x <= to);
+            let count = rest.iter().take(LANES).take_while(inside).count();
+            let x = f64x8::from_fn(simd, |i| rest[i.min(count - 1)]);
+            let t = ((x * 2.0 - (from + to)) * (1.0 / (to - from))).max(-1.0).min(1.0);
+            // Clenshaw's recurrence, as in `clenshaw`
+            let (twice, zero) = (t + t, f64x8::splat(simd, 0.0));
+            let (mut re, mut im, mut re2, mut im2) = (zero, zero, zero, zero);
+            let coefficients = &self.coefficients[piece];
+            for c in coefficients[1..].iter().rev() {
+                (re, re2) = (re.mul_add(twice, c.re - re2), re);
+                (im, im2) = (im.mul_add(twice, c.im - im2), im);
+            }
+            let (re, im) = (re.mul_add(t, coefficients[0].re - re2), im.mul_add(t, coefficients[0].im - im2));
+            values.extend((0..count).map(|i| Complex64::new(re[i], im[i])));
+        }
+        values
     }
 
     /// The value at `x`; outside the range the polynomial of the end piece at the end of the range.
@@ -287,6 +324,12 @@ mod tests {
         for i in 0..=1000 {
             let x = 0.004 * f64::from(i);
             assert!((interpolant.at(x) - f(x)).norm() < 1e-7 * f(x).norm(), "{x}");
+        }
+        // in any order, at the ends of pieces and beyond the last of them; rounding
+        let x: Vec<f64> =
+            (0..300).map(|i| 0.03 * f64::from(i * 7 % 150)).chain(interpolant.ends().to_vec()).collect();
+        for (x, value) in x.iter().zip(interpolant.at_many(&x)) {
+            assert!((value - interpolant.at(*x)).norm() < 1e-12 * value.norm(), "{x}");
         }
     }
 }

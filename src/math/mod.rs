@@ -1,8 +1,10 @@
 //! Numerical ground floor: quadrature, Fourier transforms, special functions, decimals, small complex helpers.
 
+pub mod banded;
 pub mod bessel;
 pub mod complex;
 pub mod decimal;
+pub mod error_function;
 pub mod expression;
 pub mod filon;
 pub mod fourier;

@@ -7,6 +7,7 @@
 //! ω/(k c_s), ω = 0 included (test `cross_solver::surface_compliance`). At depths the cost stays (tests `laws`).
 
 use super::batch::Batch;
+use super::beside::Receivers;
 use super::chain::{self, inverse_symmetric, upside_down};
 use super::flexibility;
 use super::layer_stiffness::LayerStiffness;
@@ -199,6 +200,11 @@ impl PreparedGround for DirectStiffnessAt {
 
     fn lifts(&self, strip: Strip) -> bool {
         self.lifted().is_clear(&|k| self.u_zz_many(k), strip)
+    }
+
+    fn receivers_lifted(&self, half_width: f64, y: &[f64], relative: f64) -> Option<Receivers<'_>> {
+        let receivers = Receivers::new(self.lifted(), half_width, y, relative)?;
+        receivers.are_clear(&|k| self.u_zz_many(k)).then_some(receivers)
     }
 
     /// On the real axis where the path does not settle.

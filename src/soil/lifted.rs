@@ -21,7 +21,7 @@ use num_complex::Complex64;
 use std::f64::consts::PI;
 
 /// Height of the path times b: the kernel grows by cosh 0.7 on it.
-const LIFT: f64 = 0.7;
+pub(super) const LIFT: f64 = 0.7;
 /// β b from which, beyond all waves, the real axis is as good: it meets no pole, and the kernel turns faster than G changes.
 const SHORT: f64 = 16.0;
 /// Points of the first rule, and the most.

@@ -8,6 +8,7 @@
 //! | u_zz … | displacement per unit traction wave e^{i(ωt + kx)} [m/Pa], z down |
 
 mod batch;
+mod beside;
 mod chain;
 mod compliance;
 pub mod direct_stiffness;
@@ -31,6 +32,7 @@ pub mod transfer_matrix;
 pub(crate) mod wave;
 pub mod wave_amplitudes;
 
+pub use beside::Receivers;
 pub use compliance::{Compliance, SurfaceCompliance};
 pub use direct_stiffness::DirectStiffness;
 pub use flexibility::Flexibility;
@@ -102,6 +104,12 @@ pub trait PreparedGround: Send + Sync {
     /// As [`strip`](Self::strip) on a path lifted off the poles, a fifth of the evaluations: right where [`lifts`](Self::lifts).
     fn strip_lifted(&self, beta: f64, strip: Strip, relative: f64) -> Estimate {
         self.strip(beta, strip, relative)
+    }
+
+    /// What answers for receivers at distances `y` [m] beyond a strip of `half_width` [m] to a `relative` accuracy of its
+    /// largest value on such a path, at any β; None where it may not be taken at this ω or is not another way.
+    fn receivers_lifted(&self, _half_width: f64, _y: &[f64], _relative: f64) -> Option<Receivers<'_>> {
+        None
     }
 
     /// Displacement [m²/N] at distance `y` [m] from the centre line of a strip of `half_width` [m] under a unit force per

@@ -74,7 +74,6 @@ impl Kernel {
     /// What e^{−a|y|} becomes.
     #[inline(always)]
     fn of<S: Simd>(self, simd: S, a: Lanes<S>) -> Lanes<S> {
-        let mean = |z: Lanes<S>| z.one_minus_exp_over(z.exp_minus());
         match self {
             Self::Strip(Strip { half_width: b, compatibility: Compatibility::Centre }) => mean(a.times(b)),
             Self::Strip(Strip { half_width: b, compatibility: Compatibility::Mean }) => {
@@ -97,4 +96,10 @@ impl Kernel {
             Self::Receiver(b, y) => a.times(y - b).exp_minus() * mean(a.times(2.0 * b)),
         }
     }
+}
+
+/// (1 − e^{−z})/z
+#[inline(always)]
+fn mean<S: Simd>(z: Lanes<S>) -> Lanes<S> {
+    z.one_minus_exp_over(z.exp_minus())
 }

@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod beside;
 mod contact_forces;
 mod contour;
 mod critical_speed;

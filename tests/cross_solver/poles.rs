@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 /// Accuracy of G asked.
 const ACCURACY: f64 = 1e-4;
 
-fn grounds() -> Vec<(&'static str, Profile)> {
+pub fn grounds() -> Vec<(&'static str, Profile)> {
     let soft = |eta: f64| profile(&[(2.0, 60e6, 0.35, 1500.0, eta)], (200e6, 0.35, 1800.0, eta));
     let paper = soft(0.06);
     let on_rock = Profile::new(paper.layers().to_vec(), Base::Rigid).unwrap();

@@ -50,8 +50,8 @@ pub struct FreeField {
     pub bands: Vec<Band>,
     /// None: the quasi-static part alone.
     pub roughness: Option<Roughness>,
-    /// What answers for the ground across the track, many β and receivers at one ω; None: the solver of the model. Modes do that in
-    /// closed form, and so do the poles of exact solvers.
+    /// What answers for the ground across the track, many β and receivers at one ω, where exact solvers may not leave the real axis for a
+    /// path lifted off the poles; None: the solver of the model. Modes do that in closed form.
     pub sections: Option<Solver>,
 }
 
@@ -103,7 +103,8 @@ impl FreeField {
         let quasi_static = pass.quasi_static(&track, of_ground, strip, times, observer)?;
         // loads slower than the waves on a smooth rail ask for β = ω/v alone, of the exact ground
         let fast = self.speed >= ground.profile.slowest_rayleigh_speed();
-        let across = (&ground.profile, self.sections.unwrap_or(ground.solver));
+        let otherwise = self.sections.unwrap_or(ground.solver);
+        let across = (&ground.profile, ground.solver, otherwise);
         let sections = || pass.sections(stack, across, strip, times.period(), observer);
         let sections = (fast || self.roughness.is_some()).then(sections).transpose()?;
         let load = match sections.as_ref().filter(|_| fast) {
@@ -137,7 +138,7 @@ impl FreeField {
             times,
             metrics,
             driven,
-            sections: across.1.name(),
+            sections: sections.as_ref().filter(|s| s.lifted()).map_or(otherwise, |_| ground.solver).name(),
             worst,
             forces_worst,
         })

@@ -53,7 +53,7 @@ impl Irregularity {
     }
 
     /// Smallest and largest wavenumber [rad/m].
-    pub(super) fn wavenumbers(&self) -> (f64, f64) {
+    pub(in crate::study) fn wavenumbers(&self) -> (f64, f64) {
         match self {
             Self::Random { wavelengths, .. } => (TAU / wavelengths.1, TAU / wavelengths.0),
             Self::Given { profile, .. } => profile

@@ -1,0 +1,248 @@
+//! Displacement beside a strip on a path lifted off the poles: the values of G at one β serve all receivers.
+//!
+//! ```text
+//! q = t + i d tanh(t/d) e^{−(t/t₁)⁴},  t = H asinh((s/H) sinh u),  d = min(0.7/b, 12/y):
+//! R(β; y) = (1/π) ∫₀^∞ G(√(β² + q²)) sinc(q b) cos(q y) w(t) (dq/du) du,   w = ½ erfc((t − t₂)/Δ)
+//! ```
+//!
+//! The path is lifted as that of `lifted` and never higher, while waves are below it, and comes back to the axis beyond them. Its steps
+//! grow from s, the scale on which waves change G, to H. A trapezoidal rule of step Δq confuses y with 2π/Δq − y, of which the path
+//! leaves e^{−d(2π/Δq − 2y)}: H is chosen for that. Beyond the waves G is smooth beside the kernel, so that a window as smooth leaves
+//! e^{−(Δ(y−b)/2)²} of what it takes away. Points, kernels and window do not depend on β but for s, a power of four: they are kept, and a
+//! further receiver costs its sums alone. Every sixteenth β is compared with closer steps and a wider window.
+
+use super::lifted::{Integral, LIFT};
+use super::strip::{self, Compliances};
+use crate::math::error_function::erfc;
+use crate::math::lanes::{LANES, Lanes};
+use crate::math::quadrature::Estimate;
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f64x8};
+use num_complex::Complex64;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::f64::consts::{PI, TAU};
+use std::rc::Rc;
+
+/// Nepers by which the kernel may grow on the path, of the digits of G.
+const GROWTH: f64 = 12.0;
+/// Step of the first rule in u, and what it may confuse.
+const STEP: f64 = 0.25;
+const CONFUSED: f64 = 1e-8;
+/// Δ times the nearest receiver's distance from the strip; t₂ behind the slowest wave, and the last point behind t₂, over Δ; how much more
+/// a finer rule has of these.
+const SMOOTH: f64 = 6.5;
+const BEHIND: f64 = 2.9;
+const LAST: f64 = 2.5;
+const MORE: f64 = 0.4;
+/// How many times wider the window is, and how many times smaller the steps are, with which a rule is compared.
+const WIDER: f64 = 1.25;
+const CLOSER: f64 = 0.7;
+/// How often a rule may be refined so, and the farthest of its points over H.
+const REFINED: i32 = 5;
+const FARTHEST: f64 = 600.0;
+/// Of so many β with the same points one is compared.
+const CHECKED: usize = 16;
+
+/// Receivers beside a strip at one ω ≠ 0.
+pub struct Receivers<'a> {
+    integral: Integral<'a>,
+    half_width: f64,
+    /// Distances from the centre line [m].
+    y: Vec<f64>,
+    /// Error that is allowed for each [m²/N].
+    allowed: Vec<f64>,
+    /// Slowest wave [rad/m].
+    slowest: f64,
+    /// By the power of four that is s.
+    rules: RefCell<HashMap<i32, Rule>>,
+}
+
+/// The rule for one s.
+#[derive(Clone, Default)]
+struct Rule {
+    refined: i32,
+    asked: usize,
+    /// Its points, and those of the next one.
+    points: Option<Rc<[Points; 2]>>,
+    /// Its error where it was compared, receiver by receiver [m²/N].
+    error: Vec<f64>,
+}
+
+/// Points of a rule, in eights, and what each receiver makes of them.
+struct Points {
+    q2: (Vec<f64>, Vec<f64>),
+    /// sinc(q b) cos(q y) w (dq/du) Δu/π, receiver by receiver.
+    weights: Vec<(Vec<f64>, Vec<f64>)>,
+}
+
+impl<'a> Receivers<'a> {
+    /// At distances `y` [m] beyond a strip of `half_width` [m], to a `relative` accuracy of the largest R of each; None where that does not
+    /// settle.
+    pub(super) fn new(integral: Integral<'a>, half_width: f64, y: &[f64], relative: f64) -> Option<Self> {
+        let slowest = integral.outline.wavenumbers.last().copied().unwrap_or(0.0);
+        let (y, allowed, rules) = (y.to_vec(), vec![f64::INFINITY; y.len()], RefCell::default());
+        let mut receivers = Self { integral, half_width, y, allowed, slowest, rules };
+        let mut largest = vec![0.0f64; receivers.y.len()];
+        for share in [0.0, 0.3, 0.6, 0.9] {
+            for (largest, estimate) in largest.iter_mut().zip(receivers.at(share * slowest)?) {
+                *largest = largest.max(estimate.value.norm());
+            }
+        }
+        receivers.allowed = largest.iter().map(|r| relative * r).collect();
+        // compared once more, now with what is allowed
+        receivers.rules.borrow_mut().values_mut().for_each(|rule| rule.asked = 0);
+        Some(receivers)
+    }
+
+    /// Whether no pole stands between the real axis and the path, at any β: at β = 0 both agree for the nearest receiver and the farthest.
+    pub(super) fn are_clear(&self, u_zz: Compliances) -> bool {
+        let Some(lifted) = self.at(0.0) else { return false };
+        let alike = |((y, allowed), lifted): ((&f64, &f64), &Estimate)| {
+            let (outline, relative) = (self.integral.outline, 0.5 * allowed / lifted.value.norm());
+            let real = strip::receiver_quadrature(u_zz, outline, 0.0, self.half_width, *y, relative);
+            real.converged && (lifted.value - real.value).norm() <= 2.0 * allowed
+        };
+        let mut both = self.y.iter().zip(&self.allowed).zip(&lifted);
+        both.next().is_none_or(alike) && both.next_back().is_none_or(alike)
+    }
+
+    /// R(β; y) [m²/N] of each receiver, `beta` [rad/m] of any sign; None where it does not settle.
+    ///
+    /// Accuracy: 2e-4 of the largest value of each where 1e-4 is asked (test `cross_solver::beside`).
+    pub fn at(&self, beta: f64) -> Option<Vec<Estimate>> {
+        let beta = beta.abs();
+        let waves = &self.integral.outline.wavenumbers;
+        let near = waves.iter().map(|k| (k * k - beta * beta).abs()).fold(f64::INFINITY, f64::min);
+        let s = near.sqrt().max(0.05 * beta).min(self.longest());
+        let scale = (0.5 * s.log2()).floor() as i32;
+        let mut rule = self.rules.borrow_mut().remove(&scale).unwrap_or_default();
+        let found = self.by_rule(beta, scale, &mut rule);
+        self.rules.borrow_mut().insert(scale, rule);
+        found
+    }
+
+    fn by_rule(&self, beta: f64, scale: i32, rule: &mut Rule) -> Option<Vec<Estimate>> {
+        loop {
+            let kept = match &rule.points {
+                Some(points) => points.clone(),
+                None => Rc::new([self.points(scale, rule.refined)?, self.points(scale, rule.refined + 1)?]),
+            };
+            rule.points = Some(kept.clone());
+            let [points, finer] = &*kept;
+            let mut values = self.sums(beta, points)?;
+            let mut count = points.q2.0.len();
+            if rule.asked.is_multiple_of(CHECKED) {
+                let better = self.sums(beta, finer)?;
+                count += finer.q2.0.len();
+                rule.error.resize(self.y.len(), 0.0);
+                for ((worst, a), b) in rule.error.iter_mut().zip(&values).zip(&better) {
+                    *worst = worst.max((a - b).norm());
+                }
+                values = better;
+            }
+            if rule.error.iter().zip(&self.allowed).all(|(error, most)| error <= most) {
+                rule.asked += 1;
+                let one = |(z, error): (Complex64, &f64)| Estimate {
+                    value: if self.integral.negative { z.conj() } else { z },
+                    error: *error,
+                    count,
+                    converged: true,
+                };
+                return Some(values.into_iter().zip(&rule.error).map(one).collect());
+            }
+            if rule.refined >= REFINED {
+                return None;
+            }
+            *rule = Rule { refined: rule.refined + 1, ..Rule::default() };
+        }
+    }
+
+    /// d
+    fn lift(&self) -> f64 {
+        (LIFT / self.half_width).min(GROWTH / self.farthest())
+    }
+
+    fn farthest(&self) -> f64 {
+        self.y.iter().copied().fold(0.0, f64::max) + self.half_width
+    }
+
+    /// H
+    fn longest(&self) -> f64 {
+        TAU / (2.0 * self.farthest() + CONFUSED.recip().ln() / self.lift()) / STEP
+    }
+
+    /// Points and weights with s = 4^`scale`, `refined` so often; None where they are too many.
+    fn points(&self, scale: i32, refined: i32) -> Option<Points> {
+        let (d, longest, s) = (self.lift(), self.longest(), 4f64.powi(scale));
+        let back = (1.5 * self.slowest).max(3.0 * d);
+        let nearest = self.y.iter().copied().fold(f64::INFINITY, f64::min) - self.half_width;
+        let width = SMOOTH / nearest * WIDER.powi(refined);
+        let more = MORE * f64::from(refined);
+        let middle = (self.slowest + (BEHIND + more) * width).max(1.2 * back);
+        let top = middle + (LAST + more) * width;
+        if top > FARTHEST * longest {
+            return None;
+        }
+        // sinh u = (H/s) sinh(t/H)
+        let end = (longest / s * (top / longest).sinh()).asinh();
+        let step = STEP * CLOSER.powi(refined);
+        let count = (end / step / LANES as f64).ceil() as usize * LANES;
+        let weights = vec![<_>::default(); self.y.len()];
+        let mut points = Points { q2: <_>::default(), weights };
+        for i in 0..count {
+            let u = i as f64 * step;
+            let x = s / longest * u.sinh();
+            let t = longest * x.asinh();
+            let slope = s * u.cosh() / x.hypot(1.0);
+            let (tanh, fade) = ((t / d).tanh(), (-(t / back).powi(4)).exp());
+            let rise = fade * (1.0 - tanh * tanh - 4.0 * d * tanh * t.powi(3) / back.powi(4));
+            let q = Complex64::new(t, d * tanh * fade);
+            let window = 0.5 * erfc((t - middle) / width);
+            let share = if i == 0 { 0.5 } else { 1.0 } * window * step * slope / PI;
+            let weight = Complex64::new(share, share * rise) * sinc(q * self.half_width);
+            let q2 = q * q;
+            points.q2.0.push(q2.re);
+            points.q2.1.push(q2.im);
+            for ((re, im), y) in points.weights.iter_mut().zip(&self.y) {
+                // cos(q y) of growing e^{−iqy}
+                let wave = (Complex64::new(q.im, -q.re) * y).exp();
+                let weight = weight * (wave + wave.inv()) * 0.5;
+                re.push(weight.re);
+                im.push(weight.im);
+            }
+        }
+        Some(points)
+    }
+
+    /// Σ G times the weights of each receiver; None where G has lost too many digits.
+    fn sums(&self, beta: f64, points: &Points) -> Option<Vec<Complex64>> {
+        dispatch!(Level::new(), simd => self.sums_in_lanes(simd, beta, points))
+    }
+
+    #[inline(always)]
+    fn sums_in_lanes<S: Simd>(&self, simd: S, beta: f64, points: &Points) -> Option<Vec<Complex64>> {
+        let mut sums = vec![Lanes::real(simd, 0.0); self.y.len()];
+        for from in (0..points.q2.0.len()).step_by(LANES) {
+            let eight = from..from + LANES;
+            let re = f64x8::from_slice(simd, &points.q2.0[eight.clone()]) + beta * beta;
+            let k2 = Lanes { re, im: f64x8::from_slice(simd, &points.q2.1[eight.clone()]) };
+            let found = self.integral.batch.in_plane(simd, k2.sqrt_decaying(), k2);
+            if !found.cost.simd_lt(self.integral.most).all_true() {
+                return None;
+            }
+            for (sum, (re, im)) in sums.iter_mut().zip(&points.weights) {
+                let re = f64x8::from_slice(simd, &re[eight.clone()]);
+                let im = f64x8::from_slice(simd, &im[eight.clone()]);
+                *sum = *sum + found.compliance[2] * Lanes { re, im };
+            }
+        }
+        let sum = |sum: &Lanes<S>| Complex64::new(sum.re.reduce_sum(), sum.im.reduce_sum());
+        Some(sums.iter().map(sum).collect())
+    }
+}
+
+/// sin z/z
+fn sinc(z: Complex64) -> Complex64 {
+    if z.norm_sqr() < 1e-8 { 1.0 - z * z / 6.0 } else { z.sin() / z }
+}

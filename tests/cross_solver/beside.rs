@@ -1,0 +1,62 @@
+//! Receivers beside a strip on the lifted path against the adaptive quadrature of the same ground on the real axis.
+
+use crate::poles::grounds;
+use groundwave::soil::{DirectStiffness, GroundSolver};
+use std::f64::consts::TAU;
+
+/// Asked, of the largest value of each receiver.
+const RELATIVE: f64 = 1e-4;
+const HALF_WIDTH: f64 = 1.25;
+
+#[test]
+fn receivers_on_the_path_are_those_of_the_axis() {
+    let (mut refused, mut asked) = (0, 0);
+    for (name, profile) in grounds() {
+        let mut worst = 0.0f64;
+        for (y, f) in
+            [(&[5.0, 20.0][..], 1.0), (&[8.0, 16.0, 32.0], 7.0), (&[5.0, 20.0], 25.0), (&[8.0, 32.0], 80.0)]
+        {
+            let ground = DirectStiffness.prepare(&profile, TAU * f, &[]).unwrap();
+            let slowest = *ground.outline().wavenumbers.last().unwrap();
+            let shares = [0.0, 0.2, 0.5, 0.8, 0.95, 1.0, 1.03, 1.3, 2.5];
+            asked += 1;
+            let Some(receivers) = ground.receivers_lifted(HALF_WIDTH, y, RELATIVE) else {
+                refused += 1;
+                continue;
+            };
+            let got: Vec<_> = shares.iter().map(|share| receivers.at(share * slowest)).collect();
+            for (r, &y) in y.iter().enumerate() {
+                let exact = |share: f64| {
+                    let nepers = (share * share - 1.0).max(0.0).sqrt() * slowest * (y - HALF_WIDTH);
+                    let relative = (0.03 * RELATIVE * nepers.exp()).min(0.1);
+                    // what has faded by twelve nepers is nothing beside the largest
+                    if nepers > 12.0 {
+                        None
+                    } else {
+                        Some(ground.receiver(share * slowest, HALF_WIDTH, y, relative).value)
+                    }
+                };
+                let exact: Vec<_> = shares.iter().map(|share| exact(*share)).collect();
+                let largest = exact.iter().flatten().map(|z| z.norm()).fold(0.0, f64::max);
+                // where the path does not settle the axis answers
+                for (exact, got) in
+                    exact.iter().zip(&got).filter_map(|(exact, got)| Some((exact, got.as_ref()?)))
+                {
+                    worst = worst.max((got[r].value - exact.unwrap_or_default()).norm() / largest);
+                }
+            }
+        }
+        println!("{name}: {worst:.1e} of the largest");
+        assert!(worst < 1e-3, "{name}: {worst:e}");
+    }
+    println!("refused {refused} of {asked}");
+    assert!(refused < 10, "{refused} of {asked}");
+}
+
+#[test]
+fn undamped_ground_stays_on_the_axis() {
+    // waves that do not fade: the integral on the axis, with which the path is compared, does not settle
+    let undamped = grounds()[0].1.with_loss(0.0);
+    let ground = DirectStiffness.prepare(&undamped, 120.0, &[]).unwrap();
+    assert!(ground.receivers_lifted(HALF_WIDTH, &[5.0, 20.0], RELATIVE).is_none());
+}
