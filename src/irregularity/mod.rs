@@ -1,30 +1,47 @@
-//! Unevenness of rails and wheels: published spectra, and profiles made of sinusoids.
+//! Unevenness of rails and wheels: published spectra, profiles made of sinusoids, and defects by formula.
 //!
 //! A profile r is positive down, as displacements are: a dip is positive. Inside the crate every spectrum is **one-sided, per
 //! rad/m**: σ² = ∫_0^∞ S(Ω) dΩ. Published ones come per cycle/m, S_n(n) = 2π S_Ω(2πn), or two-sided, S_one = 2 S_two; each
 //! file says which, and [`Spectrum::text`] repeats it.
 
 pub mod china_ballastless;
+mod defect;
+mod dip;
+mod dipped_joint;
+mod flat;
 pub mod fra_break_wavenumber;
 pub mod fra_corner;
 pub mod german;
 pub mod iso8608;
 pub mod measured;
 pub mod out_of_round;
+mod pieces;
+mod ramp;
 mod realisation;
 pub mod sinusoidal;
 pub mod sncf;
+mod step;
+mod unevenness;
 
 pub use china_ballastless::ChinaBallastless;
+pub use defect::Defect;
+pub use dip::Dip;
+pub use dipped_joint::{DippedJoint, JenkinsWheel, JointShape, LumpedTrack};
+pub use flat::{FreshFlat, RoundedFlat};
 pub use fra_break_wavenumber::FraBreakWavenumber;
 pub use fra_corner::FraCorner;
 pub use german::German;
 pub use iso8608::Iso8608;
 pub use measured::measured;
 pub use out_of_round::{Order, out_of_round, random_starts};
+pub use ramp::Ramp;
 pub use realisation::{Component, Realisation};
 pub use sinusoidal::sinusoidal;
 pub use sncf::Sncf;
+pub use step::Step;
+pub use unevenness::{Profile, Unevenness};
+
+use defect::depth;
 
 use crate::columns::ColumnsError;
 use crate::math::quadrature::{self, Tolerance};
@@ -164,6 +181,27 @@ pub enum IrregularityError {
     Order {
         /// What was given.
         order: u32,
+    },
+    /// A flat as long as its wheel is wide.
+    #[error(
+        "length is {length} m: a flat of a wheel of radius {radius} m is a chord of it, shorter than {} m",
+        2.0 * radius
+    )]
+    Flat {
+        /// What was given [m].
+        length: f64,
+        /// [m]
+        radius: f64,
+    },
+    /// No step, or one that stops the wheel.
+    #[error(
+        "depth is {depth} m: a wheel of radius {radius} m rolls over steps between 0 and {radius} m, up or down"
+    )]
+    Step {
+        /// What was given [m].
+        depth: f64,
+        /// [m]
+        radius: f64,
     },
     /// A measured profile that is not two columns.
     #[error(transparent)]

@@ -41,6 +41,35 @@ impl Hertz {
         Ok(Self { g })
     }
 
+    /// The contact whose slope is `stiffness` k_H [N/m] under the static `load` P₀ [N] of one wheel: G = 1.5 P₀^{1/3}/k_H.
+    ///
+    /// # Errors
+    /// A stiffness or a load that is not positive.
+    pub fn through(stiffness: f64, load: f64) -> Result<Self, BodyError> {
+        let (stiffness, load) = (positive("stiffness", stiffness, "N/m")?, positive("load", load, "N")?);
+        Ok(Self { g: 1.5 * load.cbrt() / stiffness })
+    }
+
+    /// G [m/N^{2/3}] of one wheel. Two wheels of a wheelset together are as stiff as one of G/2^{2/3}: K, k_H and P₀ double, δ₀ stays.
+    pub fn g(&self) -> f64 {
+        self.g
+    }
+
+    /// K = G^{−3/2} [N/m^{3/2}] of one wheel: P = K δ^{3/2}.
+    pub fn constant(&self) -> f64 {
+        self.g.powf(-1.5)
+    }
+
+    /// δ₀ = G P₀^{2/3} [m] under a `load` P₀ ≥ 0 [N] of one wheel.
+    pub fn approach(&self, load: f64) -> f64 {
+        self.g * load.cbrt().powi(2)
+    }
+
+    /// dP/dδ = 1.5 G^{−3/2} δ^{1/2} [N/m] at `approach` δ [m], zero where wheel and rail are apart.
+    pub fn slope(&self, approach: f64) -> f64 {
+        1.5 * self.constant() * approach.max(0.0).sqrt()
+    }
+
     /// P = (δ/G)^{3/2} [N] at `approach` δ [m], zero where wheel and rail are apart.
     pub fn force(&self, approach: f64) -> f64 {
         (approach.max(0.0) / self.g).powf(1.5)
@@ -71,12 +100,17 @@ mod tests {
     fn stiffness_is_the_slope_of_the_force() {
         for tread in [Tread::Worn, Tread::Coned] {
             let hertz = Hertz::new(tread, 0.46).unwrap();
-            let approach = 75e3f64.powf(2.0 / 3.0) * hertz.g;
+            let approach = hertz.approach(75e3);
             let h = 1e-5 * approach;
             let slope = (hertz.force(approach + h) - hertz.force(approach - h)) / (2.0 * h);
             // central difference: h²/24 of relative third derivative
             assert!((slope / hertz.stiffness(75e3).unwrap() - 1.0).abs() < 1e-9);
-            assert_eq!(hertz.force(-1e-6), 0.0);
+            assert!((hertz.slope(approach) / hertz.stiffness(75e3).unwrap() - 1.0).abs() < 1e-14);
+            assert!((hertz.constant() * approach.powf(1.5) / 75e3 - 1.0).abs() < 1e-14);
+            assert_eq!((hertz.force(-1e-6), hertz.slope(-1e-6)), (0.0, 0.0));
+            // the same contact from its slope under a load
+            let again = Hertz::through(hertz.stiffness(75e3).unwrap(), 75e3).unwrap();
+            assert!((again.g() / hertz.g() - 1.0).abs() < 1e-15);
         }
     }
 
@@ -86,11 +120,16 @@ mod tests {
         let hertz = Hertz::new(Tread::Worn, 0.46).unwrap();
         assert!((hertz.stiffness(75e3).unwrap() / 1.4988e9 - 1.0).abs() < 1e-4);
         assert_eq!(hertz.wheelset_stiffness(150e3).unwrap(), 2.0 * hertz.stiffness(75e3).unwrap());
+        // THEORY-TIME 4, to its six and seven digits
+        assert!(
+            (hertz.g() / 4.22056e-8 - 1.0).abs() < 1e-6
+                && (hertz.constant() / 1.153307e11 - 1.0).abs() < 1e-6
+        );
     }
 
     #[test]
     fn refuses_nonsense() {
-        assert!(Hertz::new(Tread::Worn, 0.0).is_err());
+        assert!(Hertz::new(Tread::Worn, 0.0).is_err() && Hertz::through(0.0, 1.0).is_err());
         let error = Hertz::new(Tread::Coned, 0.46).unwrap().stiffness(0.0).unwrap_err();
         assert_eq!(error.to_string(), "load is 0 N: it must be finite and above zero");
     }

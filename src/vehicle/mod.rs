@@ -2,12 +2,14 @@
 
 mod axle_loads;
 mod four_axle;
+mod freedom;
 mod hertz;
 mod model;
 mod multibody;
 
 pub use axle_loads::{Axle, Train, VehicleError};
 pub use four_axle::{Body, Bogie, FourAxle, GRAVITY, Suspension, Wheelset};
+pub use freedom::{Freedom, Motion, Part};
 pub use hertz::{Hertz, Tread};
 pub use model::VehicleModel;
 pub use multibody::Multibody;

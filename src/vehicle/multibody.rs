@@ -13,9 +13,12 @@
 //!
 //! What a model leaves out stands on it as a static load: every model has the axle loads of the whole vehicle.
 //!
-//! Half of the file is its tests.
+//! In frequency a vehicle answers through [`Multibody::receptance`]; in time through M ü + C u̇ + K u = w − L P of each copy, w its
+//! [`Multibody::weights`], L its [`Multibody::wheels`], on one rail as [`Multibody::per_rail`].
 
-use super::{Axle, BodyError, FourAxle, Suspension};
+mod in_time;
+
+use super::{Axle, BodyError, FourAxle, Freedom, Motion, Part, Suspension};
 use crate::quantity::positive;
 use nalgebra::DMatrix;
 use num_complex::Complex64;
@@ -29,6 +32,8 @@ pub struct Multibody {
     damping: DMatrix<f64>,
     /// K [N/m, …]
     stiffness: DMatrix<f64>,
+    /// What each degree of freedom is.
+    freedoms: Vec<Freedom>,
     /// Degrees of freedom of the wheelsets, leading one first.
     wheels: Vec<usize>,
     /// Places and static loads of the wheelsets of all copies, one copy after the other.
@@ -41,7 +46,7 @@ impl Multibody {
     /// # Errors
     /// A mass or a load that is not positive.
     pub fn unsprung(mass: f64, load: f64) -> Result<Self, BodyError> {
-        let mut model = Self::bodies(&[positive("unsprung_mass", mass, "kg")?]);
+        let mut model = Self::free(&[positive("unsprung_mass", mass, "kg")?], &[]);
         model.wheelsets(&[(0, 0.0)], positive("load", load, "N")?);
         Ok(model)
     }
@@ -52,7 +57,7 @@ impl Multibody {
     /// Those of [`FourAxle::checked`], here and below.
     pub fn two(vehicle: &FourAxle) -> Result<Self, BodyError> {
         let v = vehicle.checked()?;
-        let mut model = Self::bodies(&[v.wheelset.mass, 0.5 * v.bogie.mass]);
+        let mut model = Self::free(&[v.wheelset.mass], &[(Part::Bogie, 0.5 * v.bogie.mass, None)]);
         model.join(v.primary, &[(0, 1.0), (1, -1.0)]);
         model.wheelsets(&[(0, 0.0)], v.axle_load());
         Ok(model)
@@ -64,8 +69,8 @@ impl Multibody {
     /// See [`Multibody::two`].
     pub fn four(vehicle: &FourAxle) -> Result<Self, BodyError> {
         let v = vehicle.checked()?;
-        let mut model =
-            Self::bodies(&[v.wheelset.mass, v.wheelset.mass, v.bogie.mass, v.bogie.pitch_inertia]);
+        let bogie = (Part::Bogie, v.bogie.mass, Some(v.bogie.pitch_inertia));
+        let mut model = Self::free(&[v.wheelset.mass; 2], &[bogie]);
         model.bogie(&v, [0, 1], 2);
         model.wheelsets(&[(0, 0.0), (1, v.bogie.wheelbase)], v.axle_load());
         Ok(model)
@@ -77,13 +82,8 @@ impl Multibody {
     /// See [`Multibody::two`].
     pub fn five(vehicle: &FourAxle) -> Result<Self, BodyError> {
         let v = vehicle.checked()?;
-        let mut model = Self::bodies(&[
-            v.wheelset.mass,
-            v.wheelset.mass,
-            v.bogie.mass,
-            v.bogie.pitch_inertia,
-            0.5 * v.body.mass,
-        ]);
+        let bogie = (Part::Bogie, v.bogie.mass, Some(v.bogie.pitch_inertia));
+        let mut model = Self::free(&[v.wheelset.mass; 2], &[bogie, (Part::Body, 0.5 * v.body.mass, None)]);
         model.bogie(&v, [0, 1], 2);
         model.join(v.secondary, &[(2, 1.0), (4, -1.0)]);
         model.wheelsets(&[(0, 0.0), (1, v.bogie.wheelbase)], v.axle_load());
@@ -96,8 +96,9 @@ impl Multibody {
     /// See [`Multibody::two`].
     pub fn ten(vehicle: &FourAxle) -> Result<Self, BodyError> {
         let v = vehicle.checked()?;
-        let (w, b, j) = (v.wheelset.mass, v.bogie.mass, v.bogie.pitch_inertia);
-        let mut model = Self::bodies(&[w, w, w, w, b, j, b, j, v.body.mass, v.body.pitch_inertia]);
+        let bogie = (Part::Bogie, v.bogie.mass, Some(v.bogie.pitch_inertia));
+        let body = (Part::Body, v.body.mass, Some(v.body.pitch_inertia));
+        let mut model = Self::free(&[v.wheelset.mass; 4], &[bogie, bogie, body]);
         model.bogie(&v, [0, 1], 4);
         model.bogie(&v, [2, 3], 6);
         // the body above the leading and the trailing bogie moves by bounce ∓ pitch · half the distance
@@ -167,13 +168,23 @@ impl Multibody {
         })
     }
 
-    /// Free bodies of these masses and inertias.
-    fn bodies(masses: &[f64]) -> Self {
+    /// Free `wheelsets` [kg] and, above them, `bodies` of a mass [kg] and, where they pitch, an inertia [kg m²].
+    fn free(wheelsets: &[f64], bodies: &[(Part, f64, Option<f64>)]) -> Self {
+        let (mut masses, mut freedoms) = (Vec::new(), Vec::<Freedom>::new());
+        let wheelsets = wheelsets.iter().map(|mass| (Part::Wheelset, *mass, None));
+        for (part, mass, inertia) in wheelsets.chain(bodies.iter().copied()) {
+            let same = freedoms.iter().filter(|f| f.part == part && f.motion == Motion::Bounce).count();
+            for (motion, inertia) in [(Motion::Bounce, Some(mass)), (Motion::Pitch, inertia)] {
+                masses.extend(inertia);
+                freedoms.extend(inertia.map(|_| Freedom { part, number: same + 1, motion }));
+            }
+        }
         let n = masses.len();
         Self {
             mass: DMatrix::from_fn(n, n, |i, j| if i == j { masses[i] } else { 0.0 }),
             damping: DMatrix::zeros(n, n),
             stiffness: DMatrix::zeros(n, n),
+            freedoms,
             wheels: Vec::new(),
             axles: Vec::new(),
         }
