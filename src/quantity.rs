@@ -14,6 +14,8 @@ pub enum Bound {
     NotNegative,
     /// Above the first and below the second.
     Between(f64, f64),
+    /// Between the first and the second, or one of them.
+    Within(f64, f64),
 }
 
 impl Bound {
@@ -24,6 +26,7 @@ impl Bound {
                 Self::Positive => value > 0.0,
                 Self::NotNegative => value >= 0.0,
                 Self::Between(low, high) => value > low && value < high,
+                Self::Within(low, high) => value >= low && value <= high,
             }
     }
 }
@@ -35,6 +38,7 @@ impl fmt::Display for Bound {
             Self::Positive => f.write_str("be finite and above zero"),
             Self::NotNegative => f.write_str("be finite and not negative"),
             Self::Between(low, high) => write!(f, "lie above {low} and below {high}"),
+            Self::Within(low, high) => write!(f, "lie between {low} and {high}"),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Every layout of a track with every method that knows it.
 
+use super::fem::FiniteElements;
 use super::receptance::{Method, Moving, RailError, Receptance};
 use super::{continuous, periodic};
 use crate::foundation::{Foundation, Grain};
@@ -28,6 +29,9 @@ pub fn rail<'a>(
     method: Method,
 ) -> Result<Box<dyn Receptance + 'a>, RailError> {
     match layout {
+        _ if method == Method::FiniteElements => {
+            Ok(Box::new(FiniteElements::new(layout, on, FiniteElements::PER_BAY)?))
+        }
         Layout::Continuous(stack) => continuous::receptance(stack, on, method),
         Layout::Discrete(supports) => periodic::receptance(supports, on, method),
         Layout::Varying(sections) => periodic::over_sections(sections, on, method),

@@ -197,20 +197,25 @@ impl TrackOnFoundation<'_> {
         }
         let axis = Axis::Both { unit: (omega / (speed + MEETING[2])).max(1e-3) };
         let points = meeting(drive, low, high).iter().map(|beta| axis.x(*beta)).collect::<Vec<_>>();
-        let (mut missed, mut count) = (0.0f64, 0);
+        let (missed, count) = (Cell::new(0.0f64), Cell::new(0));
+        let compliance = |x: f64| -> Result<Complex64, FoundationError> {
+            let k = self.felt(drive, axis.beta(x), accuracy)?;
+            missed.set(missed.get().max(k.miss(HARMONIC_ACCURACY)));
+            count.set(count.get() + k.count);
+            Ok(reciprocal(k.value))
+        };
         let compliances = |nodes: &[f64; NODES]| -> Result<_, FoundationError> {
             let mut values = [Complex64::ONE; NODES];
             for (x, value) in nodes.iter().zip(&mut values) {
-                let k = self.felt(drive, axis.beta(*x), accuracy)?;
-                missed = missed.max(k.miss(HARMONIC_ACCURACY));
-                count += k.count;
-                *value = reciprocal(k.value);
+                *value = compliance(*x)?;
             }
             Ok(values)
         };
         let error =
             |x: f64, compliance: Complex64| self.bearable(drive, axis.beta(x), 1.0 / compliance, table * sum);
-        let table = Interpolant::bounded(compliances, &points, error, || true)?;
+        let control = |x: f64| compliance(x).map(Some);
+        let table = Interpolant::controlled(compliances, control, &points, error, || true)?;
+        let (missed, count) = (missed.get(), count.get());
         Ok(Line { drive, worst: table.worst.max(missed), source: Source::Table(table, axis), count })
     }
 

@@ -5,6 +5,7 @@ mod by_method;
 pub mod continuous;
 pub mod decay_rate;
 mod drive;
+pub mod fem;
 mod harmonic_load;
 mod moving_load;
 pub mod periodic;

@@ -1,6 +1,7 @@
 //! How a rail answers a force, whatever the method: the questions, and what they may be refused for.
 
 use super::drive::Drive;
+use super::fem::FemError;
 use super::track_on_foundation::InteractionError;
 use crate::foundation::FoundationError;
 use num_complex::Complex64;
@@ -74,6 +75,8 @@ pub enum Method {
     TransferMatrix,
     /// Sections whose waves meet at their ends, Eqs (75)–(79).
     Coupled,
+    /// Finite elements between exact ends, Eqs (26)–(28).
+    FiniteElements,
 }
 
 impl Method {
@@ -92,6 +95,7 @@ impl Method {
             Self::MovingGreen => "moving-green",
             Self::TransferMatrix => "transfer-matrix",
             Self::Coupled => "coupled",
+            Self::FiniteElements => "finite-elements",
         }
     }
 }
@@ -102,6 +106,9 @@ pub enum RailError {
     /// The foundation cannot answer.
     #[error(transparent)]
     Foundation(#[from] FoundationError),
+    /// A track without finite elements.
+    #[error(transparent)]
+    Elements(#[from] FemError),
     /// A response without end.
     #[error(transparent)]
     Interaction(#[from] InteractionError),

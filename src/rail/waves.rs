@@ -48,7 +48,20 @@ impl Waves {
     /// Σ u e^{iβx} at `x` [m].
     pub fn at(&self, x: f64) -> Complex64 {
         count::add(Work::NodePositions, self.beta.len());
-        self.iter().map(|(beta, u)| u * Complex64::cis(beta * x)).sum()
+        dispatch!(Level::new(), simd => self.at_in_lanes(simd, x))
+    }
+
+    #[inline(always)]
+    fn at_in_lanes<S: Simd>(&self, simd: S, x: f64) -> Complex64 {
+        let (mut sum_re, mut sum_im) = (f64x8::splat(simd, 0.0), f64x8::splat(simd, 0.0));
+        for (beta, u) in self.beta.chunks(LANES).zip(self.u.chunks(LANES)) {
+            let phase = f64x8::from_fn(simd, |i| beta.get(i).map_or(0.0, |beta| beta * x));
+            let re = f64x8::from_fn(simd, |i| u.get(i).map_or(0.0, |u| u.re));
+            let im = f64x8::from_fn(simd, |i| u.get(i).map_or(0.0, |u| u.im));
+            let (sin, cos) = sin_cos(phase);
+            (sum_re, sum_im) = (sum_re + re * cos - im * sin, sum_im + re * sin + im * cos);
+        }
+        Complex64::new(sum_re.reduce_sum(), sum_im.reduce_sum())
     }
 
     /// The waves of many loads, Σ P_j e^{iβa_j} for each: `loads` P_j [N] at a_j [m] behind the first.

@@ -13,17 +13,17 @@ use serde::Deserialize;
 #[serde(try_from = "Beam")]
 pub struct Member {
     /// EI [N m²]
-    pub(super) bending_stiffness: f64,
+    pub(crate) bending_stiffness: f64,
     /// 1/κGA [1/N]; 0 for Euler–Bernoulli beams.
-    pub(super) shear_compliance: f64,
+    pub(crate) shear_compliance: f64,
     /// ρI [kg m]
-    pub(super) rotary_inertia: f64,
+    pub(crate) rotary_inertia: f64,
     /// N(ω) [N]
-    pub(super) tension: Option<Element>,
-    pub(super) mass: f64,
+    pub(crate) tension: Option<Element>,
+    pub(crate) mass: f64,
     /// η of EI and κGA.
-    pub(super) loss_factor: f64,
-    pub(super) rayleigh: Rayleigh,
+    pub(crate) loss_factor: f64,
+    pub(crate) rayleigh: Rayleigh,
 }
 
 /// A beam along the track, as a case file says it.
@@ -154,7 +154,7 @@ impl Member {
     }
 
     /// Neither bends nor shears: a mass.
-    pub(super) fn is_mass(&self) -> bool {
+    pub(crate) fn is_mass(&self) -> bool {
         self.bending_stiffness == 0.0 && self.tension.is_none()
     }
 
@@ -169,7 +169,7 @@ impl Member {
     }
 
     /// 1 + iη sgn ω + iωα₂
-    pub(super) fn loss(&self, omega: f64) -> Complex64 {
+    pub(crate) fn loss(&self, omega: f64) -> Complex64 {
         Complex64::new(1.0, self.loss_factor * sign(omega) + omega * self.rayleigh.of_stiffness)
     }
 
@@ -211,11 +211,11 @@ impl Member {
     }
 
     /// ω² − iωα₁ [1/s²], which times a mass is its inertia
-    fn inertia(&self, omega: f64) -> Complex64 {
+    pub(crate) fn inertia(&self, omega: f64) -> Complex64 {
         Complex64::new(omega * omega, -omega * self.rayleigh.of_mass)
     }
 
-    fn tension(&self, omega: f64) -> Complex64 {
+    pub(crate) fn tension(&self, omega: f64) -> Complex64 {
         self.tension.map_or(Complex64::ZERO, |tension| tension.stiffness(omega))
     }
 

@@ -21,6 +21,14 @@ pub fn reference(name: &str) -> Value {
         "boef_shear_link" => include_str!("../reference/boef_shear_link.json"),
         "boef_moving_load" => include_str!("../reference/boef_moving_load.json"),
         "boef_transition" => include_str!("../reference/boef_transition.json"),
+        "track_fe_contact" => include_str!("../reference/track_fe_contact.json"),
+        "track_fe_defects" => include_str!("../reference/track_fe_defects.json"),
+        "track_fe_length" => include_str!("../reference/track_fe_length.json"),
+        "track_fe_moving_load" => include_str!("../reference/track_fe_moving_load.json"),
+        "track_fe_oscillator" => include_str!("../reference/track_fe_oscillator.json"),
+        "track_fe_receptance" => include_str!("../reference/track_fe_receptance.json"),
+        "track_fe_transition" => include_str!("../reference/track_fe_transition.json"),
+        "track_fe_vehicle" => include_str!("../reference/track_fe_vehicle.json"),
         _ => panic!("unknown reference {name}"),
     };
     serde_json::from_str(text).unwrap()

@@ -22,7 +22,7 @@ use residues::Residues;
 use uniform::Uniform;
 
 /// Methods that know a uniform track.
-const ABLE: &str = "adaptive, closed-form, residues, boundary-values, fourier, filon";
+const ABLE: &str = "adaptive, closed-form, residues, boundary-values, fourier, filon, finite-elements";
 
 /// How the rail of `stack` on `on` answers a standing force, by `method`.
 ///

@@ -49,7 +49,11 @@ pub(in crate::rail) fn receptance<'a>(
         Method::DiracComb => Ok(Box::new(DiracComb::new(supports, on)?)),
         Method::PointSource => Ok(Box::new(PointSource::new(supports, on)?)),
         Method::TransferMatrix => Ok(Box::new(TransferMatrix::new(supports, on)?)),
-        _ => refused(method, "equal supports", "floquet, dirac-comb, point-source, transfer-matrix"),
+        _ => refused(
+            method,
+            "equal supports",
+            "floquet, dirac-comb, point-source, transfer-matrix, finite-elements",
+        ),
     }
 }
 
@@ -65,7 +69,7 @@ pub(in crate::rail) fn over_sections<'a>(
     match method {
         Method::Coupled => Ok(Box::new(Coupled::new(sections, on)?)),
         Method::PointSource => Ok(Box::new(SectionForces::new(sections, on)?)),
-        _ => refused(method, "sections one after another", "coupled, point-source"),
+        _ => refused(method, "sections one after another", "coupled, point-source, finite-elements"),
     }
 }
 

@@ -1,0 +1,103 @@
+//! A constant load on its way: exact residues, sums over supports, order of convergence, energy.
+
+use crate::common::sleepers::{numbers, reference};
+use crate::setup::{D, LOAD, load, off, table};
+
+/// Rail and sleepers beside the load when it stands over bay 50, or half a bay and more away from it.
+#[test]
+fn continuous_track_against_residues() {
+    let file = reference("track_fe_moving_load");
+    for speed in [40.0, 80.0] {
+        let expected = &file["expected"][format!("speed_{speed:.0}")];
+        let exact = &expected["continuous_exact"];
+        let x = numbers(&exact["x_from_load"]);
+        let mut errors = Vec::new();
+        for (ne, n) in [(2, 200), (4, 200), (8, 400)] {
+            let model = table("continuous", "EB", 100, ne, &[]);
+            let mut march = load(&model, &LOAD, speed, n, (10.0 * D, 20.0 * D));
+            (0..40 * n).for_each(|_| march.step().unwrap());
+            assert!((march.x(0) - 50.0 * D).abs() < 1e-9);
+            let found: Vec<f64> = x.iter().map(|x| march.rail(march.x(0) + x)).collect();
+            let rail = off(&found, &numbers(&exact["rail"]));
+            let below = |x: &f64| {
+                let shape = model.mesh.below_at(1, 50.0 * D + x);
+                shape.iter().map(|&(i, n)| n * march.track().u[i]).sum::<f64>()
+            };
+            let sleeper = off(&x.iter().map(below).collect::<Vec<_>>(), &numbers(&exact["sleeper"]));
+            errors.push((rail, sleeper, march.rail_under(0) / march.rail(march.x(0)) - 1.0));
+        }
+        println!("{speed} {errors:?} {:?}", expected["continuous_fe"]);
+        assert!(errors[2].0 < 1e-5 && errors[2].1 < 1e-5, "{speed}: {errors:?}");
+    }
+}
+
+#[test]
+fn discrete_supports_against_the_sum_over_supports() {
+    let file = reference("track_fe_moving_load");
+    for (speed, beam, ne, n, bound) in
+        [(40.0, "EB", 8, 400, 1e-5), (80.0, "EB", 8, 400, 1e-5), (40.0, "T", 16, 800, 3e-4)]
+    {
+        let exact = &file["expected"][format!("speed_{speed:.0}")][format!("discrete_{beam}")];
+        let places = numbers(&exact["load_from_sleeper_bays"]);
+        let model = table("discrete", beam, 100, ne, &[]);
+        let mut march = load(&model, &LOAD, speed, n, (10.0 * D, 20.0 * D));
+        let [mut over, mut half, mut sleeper, mut under] = [(); 4].map(|()| Vec::new());
+        for place in &places {
+            let until = ((50.0 + place - 10.0) * n as f64).round() as usize;
+            while march.steps() < until {
+                march.step().unwrap();
+            }
+            over.push(march.rail(50.0 * D));
+            half.push(march.rail(50.5 * D));
+            sleeper.push(march.track().u[model.mesh.below_at(1, 50.0 * D)[0].0]);
+            under.push(march.rail_under(0));
+        }
+        let errors = [
+            (&over, "rail_at_sleeper"),
+            (&half, "rail_half_bay_on"),
+            (&sleeper, "sleeper"),
+            (&under, "under_load"),
+        ]
+        .map(|(found, key)| off(found, &numbers(&exact[key])));
+        let infinite = [(&over, "rail_at_sleeper"), (&sleeper, "sleeper")]
+            .map(|(found, key)| off(found, &numbers(&exact["infinite_track_fourier"][key])));
+        println!("{beam} {speed}: {errors:?} {infinite:?}");
+        assert!(
+            errors.iter().chain(&infinite).all(|e| *e < bound),
+            "{beam} {speed}: {errors:?} {infinite:?}"
+        );
+    }
+}
+
+#[test]
+fn energy_of_the_rail_closes_to_rounding() {
+    let file = reference("track_fe_moving_load");
+    for speed in [40.0, 80.0] {
+        let expected = &file["expected"][format!("speed_{speed:.0}")];
+        let model = table("continuous", "EB", 100, 4, &[]);
+        // to bay 51.5
+        let mut march = load(&model, &LOAD, speed, 200, (10.0 * D, 20.0 * D));
+        march.keep_ledger();
+        (0..83 * 100).for_each(|_| march.step().unwrap());
+        let ledger = march.ledger().unwrap();
+        let account = ledger.track;
+        // measured 4e-15 and 3e-14 of the work
+        assert!(account.rest().abs() < 1e-12 * account.work, "{}", account.rest());
+        let listed = expected["continuous_fe"].as_array().unwrap();
+        let energy =
+            &listed.iter().find(|row| row["ne"] == 4 && row["steps_per_bay"] == 200).unwrap()["energy"];
+        let found = [account.kinetic, account.strain, account.dissipated, account.work];
+        for (found, key) in found.iter().zip(["kin", "strain", "diss", "load"]) {
+            // the same elements and steps; measured 1e-7, its digits
+            assert!((found / energy[key].as_f64().unwrap() - 1.0).abs() < 1e-6, "{key}: {found}");
+        }
+        // at the end, steady: what the drive pays, −vPu_r′
+        let before = ledger.drive;
+        (0..200).for_each(|_| march.step().unwrap());
+        let power = -(march.ledger().unwrap().drive - before) / (march.time() * 200.0 / march.steps() as f64);
+        // 53.117 and 218.34 W of the residues; measured 6.1e-5 and 6.9e-5 off, four elements a bay
+        let exact = expected["continuous_exact"]["power"].as_f64().unwrap();
+        println!("{power} {exact}");
+        assert!((power / exact - 1.0).abs() < 1e-3, "{power} {exact}");
+    }
+}
