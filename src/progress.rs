@@ -6,6 +6,10 @@ pub trait Observer: Sync {
     fn begin(&self, _what: &str, _steps: u64) {}
     /// One step is done.
     fn advance(&self) {}
+    /// Whether long work is to stop at the next step: its study then ends with [`crate::study::StudyError::Cancelled`].
+    fn cancelled(&self) -> bool {
+        false
+    }
     /// The piece of work is done.
     fn end(&self) {}
 }

@@ -194,7 +194,12 @@ fn what_ships_with_the_program_is_usual() {
         let path = entry.unwrap().path().join("case.toml");
         if path.is_file() {
             let case = Case::load(&path).unwrap();
-            assert!(case.concerns.is_empty(), "{}: {:?}", path.display(), case.concerns);
+            // a bridge on next to no springs, under a mass on a soft one, is none of a railway's numbers
+            let bridge = path.to_string_lossy().contains("cantero2022_sprung_mass");
+            let said: Vec<&str> = case.concerns.iter().filter_map(|c| c.message.split(' ').next()).collect();
+            let expected: &[&str] =
+                if bridge { &["foundation.stiffness", "train.wheel_rail.stiffness"] } else { &[] };
+            assert_eq!(said, expected, "{}: {:?}", path.display(), case.concerns);
             count += 1;
         }
     }

@@ -14,7 +14,7 @@ use crate::foundation::FoundationModel;
 use crate::railway::{Contact, Ground, Railway, Support};
 use crate::soil::{Profile, Solver};
 use crate::study::{Study, StudyError};
-use crate::track::{Layout, Stack};
+use crate::track::{Layout, Rails, Stack};
 use crate::vehicle::Train;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -88,8 +88,8 @@ impl Loader<'_> {
         }
     }
 
-    /// The track and its contact with the ground.
-    fn track(&self, input: &CaseInput) -> Option<(Layout, Option<Contact>)> {
+    /// The track, its contact with the ground, and how many rails its numbers stand for.
+    fn track(&self, input: &CaseInput) -> Option<(Layout, Option<Contact>, Rails)> {
         let Some(named) = &input.track else {
             if input.foundation.is_some() && input.soil.is_none() && self.lacks("track") {
                 let finding = Finding::new("foundation", "springs need a track on them");
@@ -99,7 +99,7 @@ impl Loader<'_> {
             }
             // the ground alone
             return (input.foundation.is_none() && self.lacks("track"))
-                .then(|| (Stack::default().into(), None));
+                .then(|| (Stack::default().into(), None, Rails::Two));
         };
         let resolved = self.keep(self.resolve(named, "track", "tracks"))?;
         let on = match &input.foundation {
@@ -109,10 +109,10 @@ impl Loader<'_> {
             None => Carried::Ground,
         };
         let track = track::track(&resolved, on);
-        let track = self.keep(track.map_err(|f| f.at(&resolved.name, &resolved.text)))?;
+        let (layout, contact) = self.keep(track.map_err(|f| f.at(&resolved.name, &resolved.text)))?;
         let rock = input.foundation.as_ref().is_some_and(|f| *f.model() == FoundationModel::Rigid);
         let lies = |stack: &Stack| stack.links().len() < stack.members().len();
-        let lies = match &track.0 {
+        let lies = match &layout {
             Layout::Continuous(stack) => lies(stack),
             Layout::Discrete(supports) => lies(&supports.under),
             Layout::Varying(sections) => sections.iter().any(|section| lies(&section.supports.under)),
@@ -125,7 +125,7 @@ impl Loader<'_> {
             );
             return self.keep(Err(self.fault(finding)));
         }
-        Some(track)
+        Some((layout, contact, resolved.table.track.rails()))
     }
 
     /// The train, if there is one; none of both where it is faulty.
@@ -149,6 +149,19 @@ impl Loader<'_> {
             .map_err(|e| self.fault(Finding::new("soil.solver.verify", e)));
         let witness = self.keep(witness)?;
         Some((railway, witness))
+    }
+
+    /// Refuses `studies` that `railway` has no answer to.
+    fn questions(&self, railway: &Railway, studies: &[Study]) {
+        for study in studies {
+            let lacks = study.check(railway).err().unwrap_or_default();
+            let at = |error: &StudyError| match study.key_of(error) {
+                "" => study.name().to_owned(),
+                key => format!("{}.{key}", study.name()),
+            };
+            let faults = lacks.into_iter().map(|e| self.fault(Finding::new(at(&e), e)));
+            self.faults.borrow_mut().extend(faults);
+        }
     }
 
     /// The ground, its solver and the one to verify it with.
@@ -238,11 +251,13 @@ impl Case {
         let track = loader.track(&input);
         let train = loader.train(&input);
         let wheels = train.as_ref().map(|train| train.as_ref().map(|(_, wheels)| wheels));
-        let (studies, faults) = studies::studies(&input, wheels, &loader.spoilt, &|name| loader.file(name));
+        let rails = track.as_ref().map_or(Rails::Two, |track| track.2);
+        let (studies, faults) =
+            studies::studies(&input, (wheels, rails), &loader.spoilt, &|name| loader.file(name));
         loader.faults.borrow_mut().extend(faults.into_iter().map(|finding| loader.fault(finding)));
         let concerns = loader.review(&input);
         let railways = match (ground, track, train) {
-            (Some((mut support, second)), Some((layout, contact)), Some(train)) => {
+            (Some((mut support, second)), Some((layout, contact, _)), Some(train)) => {
                 if let Support::Ground(ground) = &mut support {
                     ground.contact = contact;
                 }
@@ -252,15 +267,7 @@ impl Case {
             _ => None,
         };
         if let Some((railway, _)) = &railways {
-            for study in &studies {
-                let lacks = study.check(railway).err().unwrap_or_default();
-                let at = |error: &StudyError| match study.key_of(error) {
-                    "" => study.name().to_owned(),
-                    key => format!("{}.{key}", study.name()),
-                };
-                let faults = lacks.into_iter().map(|e| loader.fault(Finding::new(at(&e), e)));
-                loader.faults.borrow_mut().extend(faults);
-            }
+            loader.questions(railway, &studies);
         }
         match (railways, loader.faults.borrow_mut().split_off(0)) {
             (Some((railway, witness)), faults) if faults.is_empty() => Ok(Self {

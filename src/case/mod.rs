@@ -10,6 +10,7 @@ mod irregularity;
 pub mod library;
 mod load;
 mod loader;
+mod passage;
 mod plausible;
 mod rail_studies;
 mod ranges;

@@ -28,6 +28,7 @@ const TRAVEL: Unit = Unit {
     note: "; with its unit, as in \"250 m/s\", it is taken as meant",
 };
 const SECOND: Unit = unit("s", &[("ms", 1e-3)]);
+const RADIAN: Unit = unit("rad", &[("mrad", 1e-3), ("°", std::f64::consts::PI / 180.0)]);
 const HERTZ: Unit = unit("Hz", &[("kHz", 1e3)]);
 const RATIO: Unit = unit("", &[("%", 1e-2)]);
 const DENSITY: Unit = unit("kg/m³", &[("t/m³", 1e3), ("kN/m³", 1e3 / 9.81)]);
@@ -146,6 +147,13 @@ const TABLE: &[Row] = &[
     row("irregularity.orders[].amplitude", METRE, (0.0, 0.5), (1e-8, 5e-3)),
     row("irregularity.radius", METRE, (0.05, 10.0), (0.15, 0.8)),
     row("irregularity.wavelength", METRE, ANY, (0.01, 300.0)),
+    row("passage.defect[].depth", METRE, (0.0, 0.1), (1e-6, 0.03)),
+    row("passage.defect[].length", METRE, (0.0, 1e3), (0.005, 30.0)),
+    row("passage.defect[].radius", METRE, (0.05, 10.0), (0.15, 0.8)),
+    row("passage.defect[].angle", RADIAN, (0.0, 1.0), (1e-4, 0.03)),
+    row("passage.hanging_sleeper[].gap", METRE, (0.0, 1.0), (1e-5, 0.02)),
+    row("passage.step", SECOND, (1e-9, 1.0), (1e-7, 5e-3)),
+    row("passage.step_length", METRE, (1e-7, 1.0), (1e-5, 0.05)),
     row("*.passage_time", SECOND, ANY, (0.1, 600.0)),
     row("*.speed", TRAVEL, ANY, (0.0, 200.0)),
     row("*.speeds[]", TRAVEL, ANY, (0.0, 200.0)),

@@ -126,7 +126,10 @@ fn another(method: Option<Method>, verify: Option<Method>, path: &str) -> Result
 }
 
 /// A place along the rail.
-fn place(x: f64, path: &str) -> Result<f64, Finding> {
+///
+/// # Errors
+/// One that is not finite, or too far.
+pub fn place(x: f64, path: &str) -> Result<f64, Finding> {
     if x.abs() <= FARTHEST {
         return Ok(x);
     }

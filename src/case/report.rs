@@ -7,7 +7,7 @@ use crate::output::{Report, ReportTable};
 use crate::rail::DecayRate;
 use crate::railway::{Contact, Ground, Railway, Support};
 use crate::soil::{Base, Material};
-use crate::study::{Irregularity, Outcome, Study};
+use crate::study::{ContactLaw, Irregularity, Outcome, Passage, Study};
 use crate::track::{Layout, Section, Supports};
 
 fn ground_table(railway: &Railway) -> Option<ReportTable> {
@@ -116,6 +116,7 @@ fn excitation(studies: &[Study]) -> Vec<String> {
                 DecayRate::En15461 => "Decay rates are the sum over the grid of EN 15461, from receptances: not those of a free wave.".into(),
             }),
             Study::Transition(_) => list.push("Power at changes of track is that of the wave along the first section that decays least, over what it brings; what is lost in rail and supports comes nowhere.".into()),
+            Study::Passage(study) => list.extend(passing(study)),
             Study::FreeField(study) => {
                 list.push("The free field is vertical, unweighted, at the surface of the open ground: no building, no coupling loss. Third octaves are exact base-10 bands; the r.m.s. is over the passage time.".into());
                 list.push(match &study.roughness {
@@ -129,7 +130,7 @@ fn excitation(studies: &[Study]) -> Vec<String> {
                 });
                 if let Some(solver) = study.sections {
                     list.push(format!(
-                        "Across the track the ground of the free field is solved by {}, as the case names no solver.",
+                        "Across the track the ground of the free field is integrated on paths lifted off its poles; at frequencies at which they may not be taken it is solved by {}, as the case names no solver.",
                         solver.name()
                     ));
                 }
@@ -143,6 +144,28 @@ fn excitation(studies: &[Study]) -> Vec<String> {
             }
             _ => {}
         }
+    }
+    list
+}
+
+/// What a train meets that passes in time.
+fn passing(study: &Passage) -> Vec<String> {
+    let mut list = vec![format!(
+        "The passage is marched in time over finite elements of one rail ({} in a bay), forces are those of one wheel; displacements are taken where wheels stand, what an element gives way under its wheel included.",
+        study.elements_per_bay
+    )];
+    list.push(match &study.running {
+        None => "Axle loads are constant.".to_owned(),
+        Some(running) => {
+            let law = match running.law {
+                ContactLaw::NonLinear => "Hertz contact that lets go",
+                ContactLaw::Linear => "linear contact that pulls where wheels would leave the rail",
+            };
+            format!("{law}, k_H = {:.3e} N/m per wheelset under the mean axle load.", running.contact)
+        }
+    });
+    if let Some(irregularity) = study.running.as_ref().and_then(|running| running.irregularity.as_ref()) {
+        list.push(format!("Wheels roll over: {}; its x = 0 is that of the track.", irregularity.text()));
     }
     list
 }

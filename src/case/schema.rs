@@ -5,10 +5,12 @@
 use super::values::{Named, Range, Speed};
 use crate::field::Quantity;
 use crate::foundation::{FoundationModel, Springs};
-use crate::irregularity::{Order, Spectrum};
+use crate::irregularity::{Defect, Order, Spectrum};
+use crate::rail::fem::Ends;
 use crate::rail::{DecayRate, Method};
 use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, Strip};
+use crate::study::{ContactLaw, Start};
 use crate::track::Track;
 use crate::vehicle::{Axle, Body, Bogie, Suspension, Tread, VehicleModel, Wheelset};
 use schemars::JsonSchema;
@@ -45,6 +47,8 @@ pub struct CaseInput {
     pub decay_rate: Option<DecayRateInput>,
     /// What a change of track does to waves along the rail.
     pub transition: Option<TransitionInput>,
+    /// A train passes in time: contact that lets go, defects, hanging sleepers.
+    pub passage: Option<PassageInput>,
     /// Roughness of the rail.
     pub irregularity: Option<IrregularityInput>,
     /// Vibration of the ground beside the track during a pass.
@@ -428,7 +432,7 @@ pub enum IrregularityInput {
         /// CSV file beside the case: a header line, then x and r (positive down), in m or the units of
         /// the header, such as [mm].
         file: String,
-        /// x of the profile abreast of the receivers [m]; its middle by default.
+        /// x of the profile abreast of the receivers, or at x = 0 of a passage [m]; its middle by default.
         abreast: Option<f64>,
         /// Shortest and longest wavelength [m]; all of the profile by default.
         wavelengths: Option<SpanInput>,
@@ -481,6 +485,89 @@ pub struct FreeFieldInput {
     pub passage_time: Option<f64>,
     /// Bands from the one with the lower to the one with the upper frequency [Hz]; 1 to 80 Hz by default.
     pub frequencies: Option<SpanInput>,
+}
+
+/// `[passage]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PassageInput {
+    /// v
+    pub speed: Option<Speed>,
+    /// Several of them instead.
+    pub speeds: Option<Range<Speed>>,
+    /// Where the leading axle stands at first [m], x as its supports have it: one at 0, or the first change of section.
+    pub from: f64,
+    /// Where it stands at last [m].
+    pub to: f64,
+    /// What of the track is computed [m]; by default from behind the last axle to ahead of the first one, with 18 m beyond both,
+    /// 30 m where something strikes.
+    pub track: Option<SpanInput>,
+    /// Finite elements between two supports, or on 0.6 m of a continuous track; 8 by default.
+    pub elements_per_bay: Option<usize>,
+    /// Δt [s]; by default what the profiles and frequencies need.
+    pub step: Option<f64>,
+    /// v Δt [m] instead.
+    pub step_length: Option<f64>,
+    /// "non-linear" by default.
+    pub contact: Option<ContactLaw>,
+    /// "static" where wheels have a mass, "ramp" for constant loads by default.
+    pub start: Option<Start>,
+    /// Way over which a start by "ramp" takes hold, or [irregularity] under wheels that start at rest [m]; 12 by default.
+    pub ramp: Option<f64>,
+    /// "pinned" by default.
+    pub ends: Option<Ends>,
+    /// α of Hilber, Hughes & Taylor, −1/3 to 0; 0 by default, without damping by the steps.
+    pub alpha: Option<f64>,
+    /// Damping of the track in proportion to mass and stiffness, besides its own; none by default.
+    pub damping: Option<ModalInput>,
+    /// Defects of the rail and of wheels.
+    #[serde(default)]
+    pub defect: Vec<DefectInput>,
+    /// Sleepers that do not reach their bed.
+    #[serde(default)]
+    pub hanging_sleeper: Vec<HangingInput>,
+    /// Numbers of supports that are not there: number n stands at x = n × spacing; of sections, 0 is the first behind the first change.
+    #[serde(default)]
+    pub missing_sleepers: Vec<i64>,
+    /// Where rail and sleepers are watched [m].
+    #[serde(default)]
+    pub at: Vec<f64>,
+    /// Lowest and highest frequency of interest [Hz], for third octaves of the contact force; 5 to 500 Hz by default.
+    pub frequencies: Option<SpanInput>,
+}
+
+/// `[passage.damping]`: of Rayleigh with two modes, of Caughey with more.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ModalInput {
+    /// f of the modes [Hz].
+    pub frequencies: Vec<f64>,
+    /// ζ of each.
+    pub ratios: Vec<f64>,
+}
+
+/// `[[passage.defect]]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DefectInput {
+    /// Where the x = 0 of its formula lies [m]: middle of a joint, edge of a step, beginning of the others, first touch of a flat.
+    pub at: f64,
+    /// Of a flat: wheels that have it, counted from 1, the leading one.
+    pub wheels: Option<Vec<usize>>,
+    /// The defect itself.
+    #[serde(rename = "$rest")]
+    #[schemars(flatten)]
+    pub defect: Defect,
+}
+
+/// `[[passage.hanging_sleeper]]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HangingInput {
+    /// Their numbers, as those of `missing_sleepers`.
+    pub sleepers: Vec<i64>,
+    /// Between sleeper and bed [m].
+    pub gap: f64,
 }
 
 /// `[equivalent_stiffness]`

@@ -3,6 +3,7 @@
 use super::checks::{ascending, distinct, receivers, window};
 use super::error::Finding;
 use super::irregularity;
+use super::passage::passage;
 use super::rail_studies::{decay_rate, receptance, track_response, transition};
 use super::ranges::{NOT_NEGATIVE, POSITIVE, numbers, speeds};
 use super::schema::{
@@ -19,6 +20,7 @@ use crate::study::{
     Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Irregularity, Roughness, Study,
     SurfaceComplianceTable,
 };
+use crate::track::Rails;
 use std::collections::BTreeSet;
 
 /// Least distance to the periodic images of a contour [m].
@@ -120,7 +122,7 @@ fn roughness(irregularity: Irregularity, wheels: Option<&Wheels>) -> Result<Roug
             Err(Finding::new("train", "the wheels have no contact with a rough rail")
                 .help("add wheel_rail.stiffness [N/m per wheelset] or wheel_rail.radius [m]"))
         }
-        Some(Wheels { bodies: Some(bodies), contact: Some(contact) }) => {
+        Some(Wheels { bodies: Some(bodies), contact: Some(contact), .. }) => {
             Ok(Roughness { bodies: bodies.clone(), contact: *contact, irregularity })
         }
     }
@@ -147,7 +149,7 @@ fn surface_compliance(input: &SurfaceComplianceInput) -> Result<SurfaceComplianc
 }
 
 /// Names of the tables that ask for something.
-const STUDIES: [&str; 10] = [
+const STUDIES: [&str; 11] = [
     "critical_speed",
     "dispersion",
     "track_response",
@@ -155,16 +157,17 @@ const STUDIES: [&str; 10] = [
     "receptance",
     "decay_rate",
     "transition",
+    "passage",
     "free_field",
     "equivalent_stiffness",
     "surface_compliance",
 ];
 
 /// The studies a case asks for, in the order of this list, and the fault of each that cannot be; `wheels` are None where the train
-/// is faulty, `spoilt` the tables that were not read.
+/// is faulty, `rails` how many the numbers of the track stand for, `spoilt` the tables that were not read.
 pub fn studies(
     input: &CaseInput,
-    wheels: Option<Option<&Wheels>>,
+    (wheels, rails): (Option<Option<&Wheels>>, Rails),
     spoilt: &BTreeSet<String>,
     files: &dyn Fn(&str) -> Result<String, String>,
 ) -> (Vec<Study>, Vec<Finding>) {
@@ -180,7 +183,11 @@ pub fn studies(
         let smooth = free_field(study, input)?;
         Ok(Study::FreeField(Box::new(FreeField { roughness: on_rail.cloned(), ..smooth })))
     };
-    let asked: [Option<Result<Study, Finding>>; 10] = [
+    let passing = |study| {
+        let uneven = irregularity.as_ref().and_then(|i| i.as_ref().ok()).cloned();
+        passage(study, wheels.flatten(), uneven, rails).map(|passage| Study::Passage(Box::new(passage)))
+    };
+    let asked: [Option<Result<Study, Finding>>; 11] = [
         input.critical_speed.as_ref().map(|s| critical_speed(s).map(Study::CriticalSpeed)),
         input.dispersion.as_ref().map(|s| dispersion(s).map(Study::Dispersion)),
         input.track_response.as_ref().map(|s| track_response(s, files).map(Study::TrackResponse)),
@@ -188,12 +195,18 @@ pub fn studies(
         input.receptance.as_ref().map(|s| receptance(s, files).map(Study::Receptance)),
         input.decay_rate.as_ref().map(|s| decay_rate(s, files).map(Study::DecayRate)),
         input.transition.as_ref().map(|s| transition(s).map(Study::Transition)),
+        input.passage.as_ref().filter(|_| wheels.is_some()).map(passing),
         input.free_field.as_ref().map(free),
         input.equivalent_stiffness.as_ref().map(|s| equivalent_stiffness(s).map(Study::EquivalentStiffness)),
         input.surface_compliance.as_ref().map(|s| surface_compliance(s).map(Study::SurfaceCompliance)),
     ];
-    let none = asked.iter().all(Option::is_none) && !STUDIES.iter().any(|name| spoilt.contains(*name));
-    let unused = irregularity.is_some() && input.free_field.is_none() && !spoilt.contains("free_field");
+    let none = asked.iter().all(Option::is_none)
+        && input.passage.is_none()
+        && !STUDIES.iter().any(|name| spoilt.contains(*name));
+    let unused = irregularity.is_some()
+        && input.free_field.is_none()
+        && input.passage.is_none()
+        && !["free_field", "passage"].iter().any(|name| spoilt.contains(*name));
     let mut faults = Vec::new();
     let studies =
         asked.into_iter().flatten().filter_map(|study| study.map_err(|f| faults.push(f)).ok()).collect();
@@ -205,7 +218,7 @@ pub fn studies(
     }
     if unused {
         let finding = Finding::new("irregularity", "no study uses the roughness of the rail");
-        faults.push(finding.help("add [free_field], or remove [irregularity]"));
+        faults.push(finding.help("add [free_field] or [passage], or remove [irregularity]"));
     }
     (studies, faults)
 }

@@ -18,6 +18,8 @@ pub struct Wheels {
     pub bodies: Option<Multibody>,
     /// k_H of each wheelset [N/m].
     pub contact: Option<f64>,
+    /// Between the first and the last axle [m].
+    pub length: f64,
 }
 
 type Place = Resolved<TrainInput>;
@@ -258,8 +260,10 @@ fn of_axles(
     reasonable(&axles, vehicle, "axles")?;
     let train = loads(axles, vehicle)?;
     let places: Vec<f64> = train.axles().iter().map(|a| a.position).collect();
+    let loads: Vec<f64> = train.axles().iter().map(|a| a.load).collect();
+    let heaviest = train.heaviest_axle().total_load();
     let bodies = mass
-        .map(|mass| Multibody::unsprung(mass, train.heaviest_axle().total_load())?.row(&places))
+        .map(|mass| Ok(Multibody::unsprung(mass, heaviest)?.row(&places)?.with_loads(&loads)))
         .transpose()
         .map_err(|e| body_fault(vehicle, &e))?;
     Ok((train, bodies))
@@ -299,6 +303,9 @@ pub fn train(loader: &Loader, named: &Named<TrainInput>) -> Result<(Train, Wheel
             "unsprung_mass needs wheel_rail",
             "add wheel_rail.stiffness [N/m per wheelset] or wheel_rail.radius [m]",
         )),
-        _ => Ok((train, Wheels { bodies, contact })),
+        _ => {
+            let length = train.length();
+            Ok((train, Wheels { bodies, contact, length }))
+        }
     }
 }

@@ -16,6 +16,9 @@ pub enum RailwayError {
     /// Waves need layered ground.
     #[error("it needs layered ground: give [soil] instead of [foundation]")]
     NoGround,
+    /// Springs are needed.
+    #[error("it needs springs: layered ground has no form in time; give [foundation] instead of [soil]")]
+    OnGround,
     /// A load is needed.
     #[error("it needs a load: give [train] with at least one axle")]
     NoTrain,

@@ -183,6 +183,17 @@ impl Railway {
         self.stack().is_ok_and(Stack::is_empty)
     }
 
+    /// The springs it stands on.
+    ///
+    /// # Errors
+    /// It stands on layered ground.
+    pub fn springs(&self) -> Result<&Springs, RailwayError> {
+        match &self.support {
+            Support::Springs(springs) => Ok(springs),
+            Support::Ground(_) => Err(RailwayError::OnGround),
+        }
+    }
+
     /// The layered ground.
     ///
     /// # Errors

@@ -10,6 +10,7 @@ mod doubts;
 mod equivalent_stiffness;
 mod free_field;
 mod landmarks;
+mod passage;
 mod receptance;
 mod surface_compliance;
 mod track_response;
@@ -23,6 +24,7 @@ pub use decay_rate::{DecayRate, DecayRates};
 pub use dispersion::{Crossing, Dispersion, DispersionCurves};
 pub use equivalent_stiffness::{EquivalentStiffness, StiffnessTable};
 pub use free_field::{Carrier, FreeField, Irregularity, PassVelocities, Roughness};
+pub use passage::{ContactLaw, Passage, Passed, Running, Start, Step};
 pub use receptance::{Receptance, ReceptanceMap, Receptances, Surface};
 pub use surface_compliance::{Compliances, SurfaceComplianceTable};
 pub use track_response::{OverSupports, Record, TrackResponse, TrackShapes, same_speed, tag};
@@ -30,11 +32,13 @@ pub use transition::{Scattered, Transition};
 pub use verified::Verified;
 
 use crate::concern::Concern;
+use crate::contact::MarchError;
 use crate::dataset::Group;
 use crate::field::GroundFieldError;
 use crate::figure::{Figure, Series, Stroke};
 use crate::foundation::FoundationError;
 use crate::progress::Observer;
+use crate::rail::fem::FemError;
 use crate::rail::{InteractionError, Method, RailError};
 use crate::railway::{Ground, Railway, RailwayError};
 use crate::soil::SoilError;
@@ -112,6 +116,8 @@ pub enum Study {
     DecayRate(DecayRate),
     /// What does a change of track do?
     Transition(Transition),
+    /// What does a train do that passes in time?
+    Passage(Box<Passage>),
     /// How much does a passing train shake the ground beside the track?
     FreeField(Box<FreeField>),
     /// k_eq(β, ω)
@@ -131,6 +137,7 @@ impl Study {
             Self::Receptance(_) => "receptance",
             Self::DecayRate(_) => "decay_rate",
             Self::Transition(_) => "transition",
+            Self::Passage(_) => "passage",
             Self::FreeField(_) => "free_field",
             Self::EquivalentStiffness(_) => "equivalent_stiffness",
             Self::SurfaceCompliance(_) => "surface_compliance",
@@ -150,6 +157,7 @@ impl Study {
             Self::Receptance(study) => study.run(railway, observer),
             Self::DecayRate(study) => study.run(railway, observer),
             Self::Transition(study) => study.run(railway, observer),
+            Self::Passage(study) => study.run(railway, observer),
             Self::FreeField(study) => study.run(railway, observer),
             Self::EquivalentStiffness(study) => study.run(railway, observer),
             Self::SurfaceCompliance(study) => study.run(railway.ground()?, observer),
@@ -196,6 +204,12 @@ impl Study {
         let named = match error {
             StudyError::Railway(RailwayError::Rail(RailError::Method { method, .. })) => *method,
             StudyError::Railway(RailwayError::Itself { method }) => *method,
+            StudyError::OffTrack { .. } => return "at",
+            StudyError::NoSleeper { key, .. } => return key,
+            StudyError::March(MarchError::Elements(FemError::Full { .. } | FemError::Massless)) => {
+                return "damping";
+            }
+            StudyError::March(MarchError::Elements(FemError::NothingToHang)) => return "hanging_sleeper",
             StudyError::Railway(RailwayError::AtRest | RailwayError::Rail(RailError::TooFast { .. })) => {
                 return "speeds";
             }
@@ -241,6 +255,10 @@ impl Study {
             Self::Receptance(study) => [study.lacks(railway), None],
             Self::DecayRate(study) => [study.lacks(railway), None],
             Self::Contour(_) => [ground.and_then(Ground::contact).err().or(railway.stack().err()), train],
+            Self::Passage(_) => {
+                let bare = railway.is_bare().then_some(RailwayError::NoTrack);
+                [railway.springs().err().or(bare), train]
+            }
             Self::FreeField(_) => [ground.err().or(track), train],
             Self::EquivalentStiffness(_) => [railway.foundation().err(), None],
             Self::Dispersion(_) | Self::SurfaceCompliance(_) => [ground.err(), None],
@@ -271,6 +289,7 @@ impl Study {
                 vec![f64::INFINITY]
             }
             Self::DecayRate(_) | Self::Transition(_) => vec![f64::INFINITY],
+            Self::Passage(study) => return study.check(railway),
             Self::FreeField(study) => {
                 study.check(railway)?;
                 vec![f64::INFINITY]
@@ -326,6 +345,39 @@ pub enum StudyError {
         /// Wheelsets of the model.
         wheelsets: usize,
     },
+    /// A march in time failed.
+    #[error(transparent)]
+    March(#[from] MarchError),
+    /// A watched place beyond the track.
+    #[error("the watched place {x} m does not lie on the track, which reaches from {from} to {to} m")]
+    OffTrack {
+        /// [m]
+        x: f64,
+        /// First end [m].
+        from: f64,
+        /// Last end [m].
+        to: f64,
+    },
+    /// Sleepers that are not there to be faulty.
+    #[error(
+        "{found} of {wanted} sleepers stand on the track from {from} to {to} m: number n stands at n times the spacing, of sections 0 is the \
+         first behind the first change; a track without support.spacing has none"
+    )]
+    NoSleeper {
+        /// Key that names them.
+        key: &'static str,
+        /// How many are there.
+        found: usize,
+        /// How many are named.
+        wanted: usize,
+        /// First end of the track [m].
+        from: f64,
+        /// Last end [m].
+        to: f64,
+    },
+    /// Told to stop.
+    #[error("cancelled")]
+    Cancelled,
     /// The grid does not fit into memory.
     #[error(
         "the {what} grid of {columns} × {rows} samples needs {needed_gb:.1} GB and the machine has {available_gb:.1} GB free: \

@@ -3,6 +3,7 @@
 //! Small versions of the cases: every fifth speed of a curve, coarse contours. `GROUNDWAVE_BLESS=1` rewrites
 //! `norms.json`; its difference is reviewed like code.
 
+use groundwave::study::Step;
 use groundwave::{Case, Silent, Study};
 use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
@@ -23,6 +24,9 @@ const CASES: &[&str] = &[
     "lamprea2022_noise_discrete_2layer",
     "lamprea2022_moving_load_over_supports",
     "lamprea2022_transition",
+    "iwnicki1998_rough_track",
+    "lamprea2022_dipped_joint",
+    "lamprea2022_soft_to_stiff",
 ];
 
 /// Relative change that is noticed. Results do not depend on the number of threads; 1e-6 leaves room for another
@@ -51,6 +55,11 @@ fn shrink(study: &mut Study) {
             if let Some(map) = &mut study.map {
                 map.window.spacing = 2.0;
             }
+        }
+        Study::Passage(study) => {
+            study.speeds.truncate(1);
+            study.elements_per_bay = 4;
+            study.step = Step::Length(5e-3);
         }
         Study::FreeField(study) => study.bands = study.bands[8..12].to_vec(),
         Study::DecayRate(_)

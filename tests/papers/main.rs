@@ -8,6 +8,7 @@ mod dispersion;
 mod lamprea;
 mod ledsgard;
 mod mezher;
+mod passages;
 mod rolling_noise;
 mod six_layers;
 mod standing_load;
@@ -121,6 +122,7 @@ fn no_case_is_forgotten() {
         lamprea::CASES,
         ledsgard::CASES,
         mezher::CASES,
+        passages::CASES,
         rolling_noise::CASES,
         standing_load::CASES,
         NOTHING_PUBLISHED,
