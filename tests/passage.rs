@@ -257,10 +257,10 @@ depth = 1e-3
     let all = [
         "coarse-elements",
         "shearing-rail",
-        "short-track",
         "long-ramp",
         "deep-flat",
         "long-steps",
+        "short-track",
         "pulling-contact",
     ];
     assert_eq!(codes, all);

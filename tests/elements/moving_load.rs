@@ -1,7 +1,9 @@
 //! A constant load on its way: exact residues, sums over supports, order of convergence, energy.
 
-use crate::common::sleepers::{numbers, reference};
-use crate::setup::{D, LOAD, load, off, table};
+use crate::common::sleepers::{self, Loss, numbers, reference};
+use crate::setup::{D, LOAD, load, off, rock, table};
+use groundwave::rail::fem::{Ends, Form, Mesh, Model};
+use groundwave::track::Layout;
 
 /// Rail and sleepers beside the load when it stands over bay 50, or half a bay and more away from it.
 #[test]
@@ -99,5 +101,40 @@ fn energy_of_the_rail_closes_to_rounding() {
         let exact = expected["continuous_exact"]["power"].as_f64().unwrap();
         println!("{power} {exact}");
         assert!((power / exact - 1.0).abs() < 1e-3, "{power} {exact}");
+    }
+}
+
+/// Histories of the frequency domain: sums over supports, `boef_moving_load`.
+#[test]
+fn histories_of_constant_loads_over_supports() {
+    let file = reference("boef_moving_load");
+    let places = numbers(&file["inputs"]["x_prime_m"]);
+    for row in file["expected"]["constant_load"].as_array().unwrap() {
+        if row["beam"] != "EB" {
+            continue;
+        }
+        let (layers, speed) = (row["layers"].as_u64().unwrap() as usize, row["speed"].as_f64().unwrap());
+        let supports = sleepers::layers(sleepers::rail("EB", 0.0), layers, 1.8e8, Loss::Viscous);
+        let range = (0.0, 100.0 * D - 1e-6);
+        let mesh = Mesh::of(&Layout::Discrete(supports), &rock(), range, (D, 8), Form::Time, &[]).unwrap();
+        let model = Model::new(mesh, Ends::Pinned);
+        // x′ = x − vt in steps of 0.25 m, of D/240 each
+        for (key, x) in [("over_support", 50.0 * D), ("mid_span", 50.5 * D)] {
+            let mut march = load(&model, &LOAD, speed, 240, (10.0 * D, 20.0 * D));
+            let found: Vec<f64> = places
+                .iter()
+                .rev()
+                .map(|place| {
+                    while march.x(0) < x - place - 0.5 * D / 240.0 {
+                        march.step().unwrap();
+                    }
+                    march.rail(x) / 75e3
+                })
+                .collect();
+            let exact: Vec<f64> = numbers(&row[key]).into_iter().rev().collect();
+            let error = off(&found, &exact);
+            println!("{layers} {speed} {key}: {error:e}");
+            assert!(error < 1e-5, "{layers} {speed} {key}: {error}");
+        }
     }
 }

@@ -9,6 +9,7 @@ mod residues;
 mod uniform;
 
 pub use residues::Departing;
+pub(super) use residues::along;
 
 use super::{Method, Moving, RailError, Receptance};
 use crate::foundation::Foundation;

@@ -99,7 +99,7 @@ impl Moving for Residues<'_> {
 }
 
 /// ũ(β, ω̃ − βv) as a ratio of polynomials in β; None where it is none.
-pub(super) fn along(tower: &Tower, drive: Drive) -> Option<Ratio> {
+pub(in crate::rail) fn along(tower: &Tower, drive: Drive) -> Option<Ratio> {
     let beta = Polynomial::variable();
     let omega = Polynomial::new(vec![drive.omega.into(), (-drive.speed).into()]);
     tower.compliance(&(&beta * &beta), &omega)

@@ -11,6 +11,7 @@ mod layouts;
 mod mesh;
 mod model;
 mod newmark;
+mod reach;
 mod shape;
 
 pub use column::Column;
@@ -19,6 +20,7 @@ pub use layouts::Form;
 pub use mesh::{Fault, Gap, Mesh, Station, Support};
 pub use model::{Ends, Model};
 pub use newmark::{Newmark, Scheme, State};
+pub use reach::reach;
 pub use shape::Shape;
 
 use crate::quantity::OutOfRange;

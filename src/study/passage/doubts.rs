@@ -7,7 +7,7 @@ use crate::concern::Concern;
 use crate::irregularity::Defect;
 use crate::rail::fem::Mesh;
 use crate::railway::Railway;
-use crate::study::speed_text;
+use crate::study::{speed_text, trimmed};
 use crate::track::{Layout, Member};
 
 /// Metres of a bay of a track without supports.
@@ -25,8 +25,8 @@ fn rails(layout: &Layout) -> Vec<(Member, f64)> {
 }
 
 impl Passage {
-    /// What can be doubted before a step is taken, of elements, profiles and the rail, and of `mesh` under a train `length` [m] long.
-    pub(super) fn doubts(&self, railway: &Railway, mesh: &Mesh, length: f64) -> Vec<Concern> {
+    /// What can be doubted before a step is taken, of elements, profiles and the rail.
+    pub(super) fn doubts(&self, railway: &Railway) -> Vec<Concern> {
         let rails = rails(railway.layout());
         let wanted =
             |(rail, bay): &(Member, f64)| self.wanted_elements(*bay, rail.bending_stiffness / rail.mass);
@@ -48,14 +48,7 @@ impl Passage {
                 "give the rail without shear_stiffness (rail.section brings one) where wheels roll on it",
             )
         });
-        let short = self.short(mesh, length);
-        coarse
-            .into_iter()
-            .chain(shears)
-            .chain(short)
-            .chain(self.long_ramp())
-            .chain(self.deep_flats())
-            .collect()
+        coarse.into_iter().chain(shears).chain(self.long_ramp()).chain(self.deep_flats()).collect()
     }
 
     /// A start that is not over where the way is.
@@ -73,17 +66,17 @@ impl Passage {
         })
     }
 
-    /// A track from whose ends waves return.
-    fn short(&self, mesh: &Mesh, length: f64) -> Option<Concern> {
+    /// A `mesh` from whose ends waves return under a train `length` [m] long: it wants `margin` [m] beyond the axles.
+    pub(super) fn short(&self, mesh: &Mesh, length: f64, margin: f64) -> Option<Concern> {
         let (first, last) = (mesh.x[0], mesh.x[mesh.x.len() - 1]);
         let beyond = (self.run.0 - length - first).min(last - self.run.1);
         // decimals of the file
-        (beyond < self.margin() - 1e-9).then(|| {
+        (beyond < margin - 1e-9).then(|| {
             Concern::new(
                 "short-track",
                 format!(
                     "the track ends {beyond:.1} m beyond the axles, and waves return from its ends: {} m are wanted",
-                    self.margin()
+                    trimmed((10.0 * margin).ceil() / 10.0)
                 ),
                 "make passage.track longer, or leave it out",
             )

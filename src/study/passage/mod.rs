@@ -64,9 +64,18 @@ impl Passage {
         let runs = self.speeds.par_iter().map(|speed| self.pass(*speed, railway, observer));
         let runs = runs.collect::<Result<Vec<_>, _>>()?;
         observer.end();
-        let mesh = self.mesh(railway, &self.plan(self.speeds[0], length), true)?;
-        let mut concerns = self.doubts(railway, &mesh, length);
-        concerns.extend(self.speeds.iter().filter_map(|&v| self.long_steps(v, &self.plan(v, length))));
+        let mut concerns = self.doubts(railway);
+        // the speed that wants the longest track
+        let (mut longest, mut wanted) = (0.0, self.speeds[0]);
+        for &speed in &self.speeds {
+            let margin = self.margin(railway, speed)?;
+            if margin > longest {
+                (longest, wanted) = (margin, speed);
+            }
+            concerns.extend(self.long_steps(speed, &self.plan(railway, speed)?));
+        }
+        let mesh = self.mesh(railway, &self.plan(railway, wanted)?, true)?;
+        concerns.extend(self.short(&mesh, length, longest));
         let defects = self.running.iter().flat_map(|running| &running.defects);
         let passed = Passed {
             law: self.running.as_ref().map_or("constant loads", |running| running.law.name()),
@@ -93,7 +102,7 @@ impl Passage {
     /// # Errors
     /// As said.
     pub fn check(&self, railway: &Railway) -> Result<(), StudyError> {
-        let plan = self.plan(self.speeds[0], railway.train()?.length());
+        let plan = self.plan(railway, self.speeds[0])?;
         let (whole, mesh) = (self.mesh(railway, &plan, false)?, self.mesh(railway, &plan, true)?);
         let (from, to) = (mesh.x[0], mesh.x[mesh.x.len() - 1]);
         if let Some(&x) = self.at.iter().find(|x| !(from..=to).contains(*x)) {
@@ -186,7 +195,7 @@ impl Passage {
     /// The passage at one `speed` [m/s].
     fn pass(&self, speed: f64, railway: &Railway, observer: &dyn Observer) -> Result<Run, StudyError> {
         let train = railway.train()?;
-        let plan = self.plan(speed, train.length());
+        let plan = self.plan(railway, speed)?;
         let model = self.model(self.mesh(railway, &plan, true)?)?;
         let rolls = self.on_rails(railway)?;
         let scheme = Scheme::new(plan.step, self.alpha).map_err(|e| MarchError::from(FemError::from(e)))?;

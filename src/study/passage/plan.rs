@@ -2,11 +2,16 @@
 
 use super::settings::{Passage, Running, Step};
 use crate::irregularity::{Defect, Realisation, Unevenness, random_starts};
+use crate::rail::fem::reach;
+use crate::railway::{Railway, RailwayError};
 use crate::study::{Carrier, Irregularity, StudyError};
 use std::f64::consts::TAU;
 
-/// Track beyond both ends of the way of the axles [m]: moving loads are then known to 1e-5, below critical speeds.
+/// Least track beyond both ends of the way of the axles [m]: moving loads are then known to 1e-5, below critical speeds.
 const MARGIN: f64 = 18.0;
+/// What of a moving load may be felt at the ends, and the longest track that is added for it at each [m].
+const FELT: f64 = 1e-5;
+const LONGEST_MARGIN: f64 = 300.0;
 /// The same where something strikes: 100 bays, from whose ends 0.4 % of the static load returns.
 const STRUCK_MARGIN: f64 = 30.0;
 /// v Δt [m] at corners, where impacts are known to 1e-3.
@@ -98,9 +103,14 @@ impl Passage {
         !self.hanging.is_empty() || defects.into_iter().any(|(defect, ..)| !matches!(defect, Defect::Dip(_)))
     }
 
-    /// Track that is wanted beyond both ends of the way of the axles [m].
-    pub(super) fn margin(&self) -> f64 {
-        if self.strikes() { STRUCK_MARGIN } else { MARGIN }
+    /// Track that is wanted beyond both ends of the way of the axles at `speed` [m]: until the waves of a moving load have decayed, and
+    /// more where something strikes.
+    ///
+    /// # Errors
+    /// A track on ground.
+    pub(super) fn margin(&self, railway: &Railway, speed: f64) -> Result<f64, RailwayError> {
+        let decayed = reach(railway.layout(), railway.springs()?, speed, FELT).min(LONGEST_MARGIN);
+        Ok(decayed.max(if self.strikes() { STRUCK_MARGIN } else { MARGIN }))
     }
 
     /// Longest Δt [s] at `speed` [m/s] that follows profiles and frequencies.
@@ -116,10 +126,14 @@ impl Passage {
         ((PER_BENDING_WAVE * bay / wave).ceil() as usize).max(least)
     }
 
-    /// What `speed` [m/s] takes of a train `length` [m] long.
-    pub(super) fn plan(&self, speed: f64, length: f64) -> Plan {
+    /// What `speed` [m/s] takes of `railway`.
+    ///
+    /// # Errors
+    /// No train, a track on ground.
+    pub(super) fn plan(&self, railway: &Railway, speed: f64) -> Result<Plan, StudyError> {
         let (from, to) = self.run;
-        let track = self.track.unwrap_or((from - length - self.margin(), to + self.margin()));
+        let (length, margin) = (railway.train()?.length(), self.margin(railway, speed)?);
+        let track = self.track.unwrap_or((from - length - margin, to + margin));
         let time = (to - from) / speed;
         // decimals of the file: a whole number of steps is one
         let given = |step: f64| (step, ((time / step) * (1.0 + 1e-12)).floor().max(1.0) as usize);
@@ -131,6 +145,6 @@ impl Passage {
                 (time / count, count as usize)
             }
         };
-        Plan { track, step, count }
+        Ok(Plan { track, step, count })
     }
 }
