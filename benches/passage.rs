@@ -1,5 +1,9 @@
 //! What does a train cost that passes in time: one wheel over 60 m, eight vehicles over 300 m of track?
 
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use common::tracks::TRACK_IN_TIME;
 use divan::{Bencher, black_box};
 use groundwave::{Case, Silent};
 
@@ -12,21 +16,7 @@ fn case(train: &str, to: f64) -> Case {
     let text = format!(
         r#"
 title = "bench"
-[foundation]
-kind = "rigid"
-[track]
-kind = "ballasted"
-rails = 1
-rail.bending_stiffness = 6.38e6
-rail.mass = 60.23
-pad.stiffness = 3.5e8
-pad.damping = 1.92e4
-sleeper.mass = 245.0
-ballast.kind = "spring"
-ballast.stiffness = 1.8e8
-ballast.damping = 2.34e5
-support.spacing = 0.6
-[train]
+{TRACK_IN_TIME}[train]
 wheel_rail.radius = 0.46
 {train}
 [passage]

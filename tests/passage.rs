@@ -1,27 +1,13 @@
 //! What a case may ask of a passage, and what it is refused for, at its key.
 
+mod common;
+
+use common::tracks::TRACK_IN_TIME as TRACK;
 use groundwave::case::{Case, CaseError};
 use groundwave::study::StudyError;
 use groundwave::{Observer, Silent};
 use miette::Diagnostic;
 
-/// One rail on sleepers, as Table 3 of Lamprea-Pineda et al. has it, but viscous.
-const TRACK: &str = r#"
-[foundation]
-kind = "rigid"
-[track]
-kind = "ballasted"
-rails = 1
-rail.bending_stiffness = 6.38e6
-rail.mass = 60.23
-pad.stiffness = 3.5e8
-pad.damping = 1.92e4
-sleeper.mass = 245.0
-ballast.kind = "spring"
-ballast.stiffness = 1.8e8
-ballast.damping = 2.34e5
-support.spacing = 0.6
-"#;
 const WHEEL: &str = r#"
 [train]
 axles = [{ position = 0.0, load = 150e3 }]

@@ -15,6 +15,8 @@
 //!
 //! In frequency a vehicle answers through [`Multibody::receptance`]; in time through M ü + C u̇ + K u = w − L P of each copy, w its
 //! [`Multibody::weights`], L its [`Multibody::wheels`], on one rail as [`Multibody::per_rail`].
+//!
+//! Half of the file is its tests.
 
 mod in_time;
 
@@ -221,7 +223,7 @@ mod tests {
     use crate::vehicle::{Body, Bogie, Wheelset};
 
     /// ICE 3 after Goicolea 2014.
-    const ICE3: FourAxle = FourAxle {
+    pub(super) const ICE3: FourAxle = FourAxle {
         body: Body { mass: 47_800.0, pitch_inertia: 1.957_888e6, bogie_centres: 17.375 },
         bogie: Bogie { mass: 3500.0, pitch_inertia: 1715.0, wheelbase: 2.5 },
         wheelset: Wheelset { mass: 1800.0 },

@@ -1,8 +1,7 @@
 //! The vehicle of the Manchester benchmarks on one rigid rail (`tests/reference/track_fe_vehicle.json`).
 
-use groundwave::vehicle::{
-    Body, Bogie, FourAxle, Freedom, GRAVITY, Hertz, Motion, Multibody, Part, Suspension, Tread, Wheelset,
-};
+use crate::common::manchester;
+use groundwave::vehicle::{GRAVITY, Hertz, Multibody, Tread};
 use nalgebra::{DMatrix, DVector};
 use serde_json::Value;
 use std::f64::consts::TAU;
@@ -13,37 +12,6 @@ fn reference() -> Value {
 
 fn list(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()
-}
-
-fn manchester(inputs: &Value) -> FourAxle {
-    let of = |key: &str| inputs["whole_vehicle"][key].as_f64().unwrap();
-    FourAxle {
-        body: Body { mass: of("mc"), pitch_inertia: of("Ic"), bogie_centres: of("Lc") },
-        bogie: Bogie { mass: of("mb"), pitch_inertia: of("Ib"), wheelbase: of("Lb") },
-        wheelset: Wheelset { mass: of("mw") },
-        // of the file per wheel pair; both sides together here
-        primary: Suspension { stiffness: of("kp"), damping: of("cp") },
-        secondary: Suspension { stiffness: of("ks"), damping: of("cs") },
-    }
-}
-
-/// The half body of the models with 2 and 4 degrees of freedom moves with the bogie.
-fn heavy_bogies(v: FourAxle) -> FourAxle {
-    let bogie = Bogie { mass: v.bogie.mass + 0.5 * v.body.mass, ..v.bogie };
-    // no less than a milligram may remain: 2e-10 of the body
-    FourAxle { bogie, body: Body { mass: 1e-6, ..v.body }, ..v }
-}
-
-/// As the file orders them: from the body down, each bogie's bounce and pitch together.
-fn order(model: &Multibody) -> Vec<usize> {
-    let rank = |f: &Freedom| match f.part {
-        Part::Body => (0, f.number, f.motion == Motion::Pitch),
-        Part::Bogie => (1, f.number, f.motion == Motion::Pitch),
-        Part::Wheelset => (2, f.number, false),
-    };
-    let mut order: Vec<usize> = (0..model.freedoms().len()).collect();
-    order.sort_by_key(|i| rank(&model.freedoms()[*i]));
-    order
 }
 
 /// √λ/2π of K φ = λ M φ, M diagonal [Hz], ascending.
@@ -65,9 +33,9 @@ fn worst(got: &[f64], expected: &[f64]) -> f64 {
 #[test]
 fn on_a_rigid_rail() {
     let reference = reference();
-    let (real, expected) = (manchester(&reference["inputs"]), &reference["expected"]);
+    let (real, expected) = (manchester::manchester(&reference["inputs"]), &reference["expected"]);
     assert_eq!(reference["inputs"]["gravity"], GRAVITY);
-    let heavy = heavy_bogies(real);
+    let heavy = manchester::heavy(real);
     let models = [
         ("2_dof", Multibody::two(&heavy), Multibody::two(&real)),
         ("4_dof", Multibody::four(&heavy), Multibody::four(&real)),
@@ -101,7 +69,8 @@ fn on_a_rigid_rail() {
         assert!(errors.iter().all(|e| *e < 1e-7), "{errors:?}");
         for model in [moving, carrying.unwrap().per_rail()] {
             let at_rest = at_rest(&model, hertz.approach(load));
-            let got: Vec<f64> = order(&model).into_iter().map(|i| at_rest[i]).collect();
+            let got: Vec<f64> =
+                manchester::order(&model).into_iter().map(|(i, sign)| sign * at_rest[i]).collect();
             let exact = list(&row["static_displacement_rigid_rail"]);
             // the file has eight decimals: 5e-9 m
             for (got, exact) in got.iter().zip(&exact) {

@@ -2,6 +2,7 @@
 #![allow(dead_code)]
 
 pub mod cli;
+pub mod manchester;
 pub mod sleepers;
 pub mod tracks;
 

@@ -36,3 +36,21 @@ pub fn named(name: &str) -> (Stack, Compatibility) {
         _ => (ballasted(), Compatibility::Centre),
     }
 }
+
+/// One rail on sleepers in the words of a case, as Table 3 of Lamprea-Pineda et al. has it, but viscous.
+pub const TRACK_IN_TIME: &str = r#"
+[foundation]
+kind = "rigid"
+[track]
+kind = "ballasted"
+rails = 1
+rail.bending_stiffness = 6.38e6
+rail.mass = 60.23
+pad.stiffness = 3.5e8
+pad.damping = 1.92e4
+sleeper.mass = 245.0
+ballast.kind = "spring"
+ballast.stiffness = 1.8e8
+ballast.damping = 2.34e5
+support.spacing = 0.6
+"#;

@@ -1,45 +1,13 @@
 //! Vehicles of 2, 4, 5 and 10 degrees of freedom over a dip (Manchester), and oscillators on a simply supported beam.
 
+use crate::common::manchester::{heavy, manchester, order};
 use crate::common::sleepers::{numbers, reference};
 use crate::setup::{hertz, table};
 use groundwave::contact::{Law, March, Rolling, Start};
 use groundwave::irregularity::{Defect, Dip, Ramp, Unevenness};
 use groundwave::rail::fem::{Column, Ends, Mesh, Model, Scheme};
 use groundwave::track::Member;
-use groundwave::vehicle::{
-    Body, Bogie, FourAxle, Freedom, GRAVITY, Motion, Multibody, Part, Suspension, Wheelset,
-};
-use serde_json::Value;
-
-fn manchester(inputs: &Value) -> FourAxle {
-    let of = |key: &str| inputs["whole_vehicle"][key].as_f64().unwrap();
-    FourAxle {
-        body: Body { mass: of("mc"), pitch_inertia: of("Ic"), bogie_centres: of("Lc") },
-        bogie: Bogie { mass: of("mb"), pitch_inertia: of("Ib"), wheelbase: of("Lb") },
-        wheelset: Wheelset { mass: of("mw") },
-        primary: Suspension { stiffness: of("kp"), damping: of("cp") },
-        secondary: Suspension { stiffness: of("ks"), damping: of("cs") },
-    }
-}
-
-/// The half body of the models with 2 and 4 degrees of freedom moves with the bogie.
-fn heavy(v: FourAxle) -> FourAxle {
-    let bogie = Bogie { mass: v.bogie.mass + 0.5 * v.body.mass, ..v.bogie };
-    FourAxle { bogie, body: Body { mass: 1e-6, ..v.body }, ..v }
-}
-
-/// As the file orders them: from the body down, each body's bounce and pitch together. Its pitch is positive where the front goes down.
-fn order(model: &Multibody) -> Vec<(usize, f64)> {
-    let rank = |f: &Freedom| match f.part {
-        Part::Body => (0, f.number, f.motion == Motion::Pitch),
-        Part::Bogie => (1, f.number, f.motion == Motion::Pitch),
-        Part::Wheelset => (2, f.number, false),
-    };
-    let mut order: Vec<usize> = (0..model.freedoms().len()).collect();
-    order.sort_by_key(|i| rank(&model.freedoms()[*i]));
-    let sign = |i: usize| if model.freedoms()[i].motion == Motion::Pitch { -1.0 } else { 1.0 };
-    order.into_iter().map(|i| (i, sign(i))).collect()
-}
+use groundwave::vehicle::{Body, Bogie, FourAxle, GRAVITY, Multibody, Suspension, Wheelset};
 
 #[test]
 fn manchester_over_a_dip() {

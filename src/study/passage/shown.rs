@@ -279,22 +279,26 @@ fn places_figure(run: &Run) -> (Figure, String) {
         stroke,
     };
     let rails = (0..run.at.len().min(CURVES / 2)).map(|i| curve("rail", &run.rail, i, Stroke::Solid));
-    let sleepers =
-        (0..run.at.len().min(CURVES / 2)).map(|i| curve("sleeper", &run.sleeper, i, Stroke::Dashed));
+    let sleepers: Vec<Series> = (0..run.at.len().min(CURVES / 2))
+        .map(|i| curve("sleeper", &run.sleeper, i, Stroke::Dashed))
+        .filter(|curve| curve.y.iter().all(|u| u.is_finite()))
+        .collect();
+    let (title, caption) = if sleepers.is_empty() {
+        ("Rail", "Rail")
+    } else {
+        ("Rail and sleepers", "Rail (solid) and nearest sleeper (dashed)")
+    };
     let picture = LineFigure {
         y_down: true,
-        series: rails.chain(sleepers.filter(|curve| curve.y.iter().all(|u| u.is_finite()))).collect(),
+        series: rails.chain(sleepers).collect(),
         ..LineFigure::new(
             format!("passage_places_{}", tag(run.speed)),
-            format!("Rail and sleepers at {at}"),
+            format!("{title} at {at}"),
             "time [s]",
             "displacement [mm], positive down",
         )
     };
-    (
-        Figure::Lines(picture),
-        format!("Rail (solid) and nearest sleeper (dashed) while the train passes at {at}."),
-    )
+    (Figure::Lines(picture), format!("{caption} while the train passes at {at}."))
 }
 
 fn envelope_figure(run: &Run) -> (Figure, String) {

@@ -78,17 +78,8 @@ impl Multibody {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::vehicle::{Body, Bogie, FourAxle, Suspension, Wheelset};
+    use crate::vehicle::multibody::tests::ICE3;
     use num_complex::Complex64;
-
-    /// ICE 3 after Goicolea 2014.
-    const ICE3: FourAxle = FourAxle {
-        body: Body { mass: 47_800.0, pitch_inertia: 1.957_888e6, bogie_centres: 17.375 },
-        bogie: Bogie { mass: 3500.0, pitch_inertia: 1715.0, wheelbase: 2.5 },
-        wheelset: Wheelset { mass: 1800.0 },
-        primary: Suspension { stiffness: 2.4e6, damping: 20e3 },
-        secondary: Suspension { stiffness: 0.7e6, damping: 40e3 },
-    };
 
     #[test]
     fn weights_add_up_to_the_loads() {
