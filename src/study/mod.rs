@@ -1,5 +1,7 @@
 //! One folder per question an engineer asks: its `solve` answers with a typed result, its `shown` turns that into arrays, pictures,
 //! answers and concerns.
+//!
+//! The file is long because every question has its arm in each of its matches.
 
 pub mod comparison;
 mod contour;
