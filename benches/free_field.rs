@@ -29,9 +29,7 @@ fn stack() -> Stack {
     let rail = Member::beam(12.76e6, 120.46, 0.0).unwrap();
     let pad = Link::spring(7e8, 0.0, 0.15).unwrap();
     let ballast = Ballast::ConsistentMass { stiffness: 3.6e8, damping: 0.0, loss_factor: 1.0, mass: 1695.8 };
-    Ballasted { rails: None, rail: rail.into(), pad, sleeper: Sleeper { mass: 490.0 }, ballast }
-        .stack(None)
-        .unwrap()
+    Ballasted::new(rail.into(), pad.into(), Sleeper::per_metre(490.0), ballast).stack(None).unwrap()
 }
 
 /// Baseline: a million evaluations of G, on one thread.
@@ -47,7 +45,7 @@ fn application3(bencher: Bencher, receivers: usize) {
     let train = Train::new(vec![Axle { position: 0.0, load: 150e3 }]).unwrap();
     let roughness = Roughness {
         bodies: Multibody::unsprung(2003.0, 150e3).unwrap(),
-        contact: 1.94e9,
+        contact: vec![1.94e9],
         irregularity: Irregularity::Random {
             spectrum: Spectrum::FraBreakWavenumber(FraBreakWavenumber::new(5).unwrap()),
             wavelengths: (0.45, 135.0),
@@ -62,6 +60,8 @@ fn application3(bencher: Bencher, receivers: usize) {
         bands: Band::range(0.315, 80.0).unwrap(),
         roughness: Some(roughness),
         sections: None,
+        assessment: Default::default(),
+        building: Default::default(),
     };
     let thin = Solver::ThinLayer(ThinLayer::default());
     let support =

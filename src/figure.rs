@@ -50,6 +50,8 @@ pub struct LineFigure {
     pub second_x: Option<SecondAxis>,
     /// Draw the y axis pointing down (deflections positive downward).
     pub y_down: bool,
+    /// Values that the y axis holds whatever the curves: the same in pictures to be compared.
+    pub y_holds: Option<(f64, f64)>,
     /// Logarithmic x axis.
     pub log_x: bool,
     /// Logarithmic y axis.
@@ -58,6 +60,10 @@ pub struct LineFigure {
     pub series: Vec<Series>,
     /// Vertical marks: abscissa and label, e.g. the critical speed.
     pub marks: Vec<(f64, String)>,
+    /// Horizontal lines, labelled at their right end: ordinate and label, e.g. a guide value.
+    pub levels: Vec<(f64, String)>,
+    /// Labelled ticks of the x axis, e.g. nominal centres of bands; none: where they fall well.
+    pub x_ticks: Vec<(f64, String)>,
 }
 
 impl LineFigure {
@@ -75,10 +81,13 @@ impl LineFigure {
             y_label: y_label.into(),
             second_x: None,
             y_down: false,
+            y_holds: None,
             log_x: false,
             log_y: false,
             series: Vec::new(),
             marks: Vec::new(),
+            levels: Vec::new(),
+            x_ticks: Vec::new(),
         }
     }
 }
@@ -102,12 +111,49 @@ pub struct MapFigure {
     pub y: Vec<f64>,
     /// Values (y, x), in the unit of the label.
     pub values: Array2<f64>,
+    /// Values that the colours hold whatever the field: the same in maps to be compared.
+    pub holds: Option<(f64, f64)>,
     /// True where the sign matters: a diverging map symmetric about zero; else a sequential one.
     pub symmetric: bool,
     /// Equal scales on both axes.
     pub equal_axes: bool,
     /// Curves over the field, named in a legend below it.
     pub overlay: Vec<Series>,
+}
+
+/// A layer of the ground, drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnLayer {
+    /// What is written in it.
+    pub label: String,
+    /// h [m]; None of what never ends.
+    pub thickness: Option<f64>,
+    /// c_s [m/s], which its shade stands for; None of rock.
+    pub shear_speed: Option<f64>,
+}
+
+/// A part of the track, drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnPart {
+    /// What is written beside it.
+    pub label: String,
+    /// A spring between two masses or beams.
+    pub is_spring: bool,
+}
+
+/// Train, track and ground, one above the other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SketchFigure {
+    /// File stem.
+    pub name: String,
+    /// Title above the picture.
+    pub title: String,
+    /// Place behind the leading axle [m] and load [N] of each axle; may be empty.
+    pub axles: Vec<(f64, f64)>,
+    /// From the rail downward; may be empty.
+    pub track: Vec<DrawnPart>,
+    /// From the surface downward; may be empty.
+    pub layers: Vec<DrawnLayer>,
 }
 
 /// Anything a study may ask for.
@@ -117,6 +163,8 @@ pub enum Figure {
     Lines(LineFigure),
     /// A filled map.
     Map(MapFigure),
+    /// Train, track and ground.
+    Sketch(SketchFigure),
 }
 
 impl Figure {
@@ -125,6 +173,7 @@ impl Figure {
         match self {
             Self::Lines(figure) => &figure.name,
             Self::Map(figure) => &figure.name,
+            Self::Sketch(figure) => &figure.name,
         }
     }
 
@@ -133,6 +182,7 @@ impl Figure {
         match self {
             Self::Lines(figure) => &figure.title,
             Self::Map(figure) => &figure.title,
+            Self::Sketch(figure) => &figure.title,
         }
     }
 }

@@ -465,7 +465,7 @@ fn the_schema_knows_kinds() {
     has("SpringElement", "zener", "damping kind second_stiffness stiffness");
     has("Ballast", "consistent-mass", "damping kind loss_factor mass stiffness");
     // keys of the track that are no kind's own stand beside the kinds
-    has("TrackInput", "slab", "kind load pad rail rails slab");
+    has("TrackInput", "slab", "kind load mat pad rail rails slab");
     has("TrackInput", "none", "kind");
     assert_eq!(schema["$defs"]["TrackInput"]["unevaluatedProperties"], false);
     assert_eq!(schema["$defs"]["TrackInput"]["oneOf"][1]["properties"]["load"], false);
@@ -963,7 +963,7 @@ fn dispersion_curves_stand_beside_the_full_answer() {
     }
     // what is not there is not a number, and told as not found
     let table = std::fs::read_to_string(out.join("dispersion_frequency_mode.csv")).unwrap();
-    assert!(table.contains("\n5,0,1,") && table.contains("\n5,2,0,NaN,NaN,NaN\n"), "{table}");
+    assert!(table.contains("\n5,0,1,") && table.contains("\n5,2,0,NaN,NaN,NaN,NaN\n"), "{table}");
     // waves across know no track; a single frequency has no map
     let (folder, _) = run("[dispersion]\nfrequencies = [40.0]\nmodes = 1\nwave = \"love\"");
     let names = names_in(&folder.path().join("out"));

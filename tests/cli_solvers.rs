@@ -78,8 +78,11 @@ fn thin_layers_verify() {
     assert_eq!(summary["verification"]["solver"], "thin-layer");
     let largest = summary["verification"]["largest"].as_f64().unwrap();
     println!("largest difference {largest:e}");
-    // measured 3.6e-5
-    assert!(largest > 0.0 && largest < 1e-4, "{largest:e}");
+    // measured 3.6e-5 of the amplifications; 1.4e-4 of the speed at which they pass 1.2, on a chord that rises slowly
+    let curves = &summary["verification"]["critical_speed"]["datasets"];
+    let curve = curves["amplification"].as_f64().unwrap();
+    println!("{}", summary["verification"]);
+    assert!(largest > 0.0 && largest < 2e-4 && curve < 1e-4, "{largest:e} {curve:e}");
     assert_eq!(run.out.matches("verified with thin-layer: largest difference").count(), 3, "{}", run.out);
     assert!(!run.out.contains("disagree") && !run.out.contains("not-verified"), "{}", run.out);
 }
@@ -113,7 +116,7 @@ fn settings_out_of_reach_are_refused() {
     );
     refused(
         &with_layers("solver.verify = { kind = \"thin-layer\", accuracy = \"high\" }"),
-        &["case.toml:", "soil.solver.verify.accuracy", "the text \"high\"", "wanted a number"],
+        &["case.toml:", "soil.solver.verify.accuracy", "the text \"high\"", "wanted a plain number"],
     );
     refused(
         &with_layers("solver.accuracy = 1e-6"),

@@ -165,3 +165,21 @@ fn the_rules_can_fail() {
     );
     assert!(exists("laws", "src/lib.rs", &files) && !exists("papers::moon", "src/lib.rs", &files));
 }
+
+/// The jobs of `docs/jobs.md`, and what the variants differ in.
+#[test]
+fn jobs_are_cases() {
+    let mut count = 0;
+    for entry in std::fs::read_dir(root().join("docs/jobs")).unwrap() {
+        let path = entry.unwrap().path();
+        let case = groundwave::case::Case::load(&path).unwrap_or_else(|error| panic!("{error:?}"));
+        assert!(!case.studies.is_empty() && !case.about.rows().is_empty(), "{}", path.display());
+        count += 1;
+    }
+    assert_eq!(count, 5);
+    let read = |name: &str| std::fs::read_to_string(root().join("docs/jobs").join(name)).unwrap();
+    let (a, b) = (read("variant_a.toml"), read("variant_b.toml"));
+    let changed = a.lines().zip(b.lines()).filter(|(a, b)| a != b).count();
+    // title, name and speed of one layer
+    assert_eq!((a.lines().count(), changed), (b.lines().count(), 3));
+}

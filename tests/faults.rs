@@ -287,6 +287,79 @@ fn files_that_are_not_utf_8_are_named_as_such() {
     assert!(said().contains("measured[0].file: cannot read \"r.csv\": line 1 is not UTF-8"), "{}", said());
 }
 
+/// What a case holds, as far as it can be told from another.
+fn held(text: &str) -> String {
+    let case = Case::parse(text, "case.toml", &|_| Err(String::new()));
+    let case = case.unwrap_or_else(|error| panic!("{error}\n{text}"));
+    format!("{:?} {:?}", case.railway, case.studies)
+}
+
+#[test]
+fn numbers_may_stand_with_their_units() {
+    let plain = case(LAYERS, &format!("{TRACK}{ASKED}"));
+    let mut with_units = plain.clone();
+    for (from, to) in [
+        ("thickness = 2.0", "thickness = \"200 cm\""),
+        ("young = 60e6", "young = \"60 MPa\""),
+        ("density = 1500.0", "density = \"1.5 t/m3\""),
+        ("loss_factor = 0.06", "loss_factor = \"6 %\""),
+        ("bending_stiffness = 1.0e8", "bending_stiffness = \"100 MN m²\""),
+        ("mass = 2000.0", "mass = \"2 t/m\""),
+        ("half_width = 1.25", "half_width = \"1250 mm\""),
+        ("load = 150e3", "load = \"150 kN\""),
+        ("speeds = [50.0]", "speeds = [\"180 km/h\"]"),
+    ] {
+        assert!(with_units.contains(from), "{from}");
+        with_units = with_units.replace(from, to);
+    }
+    assert_eq!(held(&with_units), held(&plain));
+    // in a range, in a section, in a file beside the case
+    let range = |from, to, step| {
+        format!("[critical_speed]\nspeeds = {{ from = {from}, to = {to}, step = {step} }}\n")
+    };
+    let asked = |text: String| held(&case(LAYERS, &format!("{TRACK}{text}")));
+    assert_eq!(asked(range("\"36 km/h\"", "\"30 m/s\"", "\"18 km/h\"")), asked(range("10.0", "30.0", "5.0")));
+    let soft = |k: &str, length: &str| {
+        let sections = format!(
+            "support.spacing = 0.6\n[[track.section]]\n[[track.section]]\npad.stiffness = {k}\nlength = {length}\n[[track.section]]"
+        );
+        held(&on_springs(&format!("{SECTION}{sections}"), ROCK))
+    };
+    assert_eq!(soft("\"100 MN/m²\"", "\"6000 mm\""), soft("1e8", "6.0"));
+    let clay = format!("title = \"Clay\"\n{}", LAYERS.replace("soil.", "").replace("60e6", "\"60 MPa\""));
+    let open = |_: &str| Ok(clay.clone());
+    let named = format!("title = \"x\"\nsoil = \"clay.toml\"\n{TRACK}{ASKED}");
+    assert!(Case::parse(&named, "case.toml", &open).is_ok());
+}
+
+#[test]
+fn units_of_something_else_are_refused_at_their_key() {
+    let good = case(LAYERS, &format!("{TRACK}{ASKED}"));
+    for (from, to, key, said) in [
+        ("load = 150e3", "load = \"150 km/h\"", "train.axles[0].load", "a speed, wanted a force in N"),
+        ("young = 60e6", "young = \"60 kN\"", "soil.layer[0].young", "a force, wanted a modulus in Pa"),
+        ("young = 60e6", "young = \"60 Mpa\"", "soil.layer[0].young", "unknown unit `Mpa`"),
+        (
+            "poisson = 0.35",
+            "poisson = \"0.35 m\"",
+            "soil.layer[0].poisson",
+            "a length, wanted a plain number",
+        ),
+        ("[50.0]", "[50.0, \"30 m\"]", "track_response.speeds[1]", "a length, wanted a speed in m/s"),
+        ("mass = 2000.0", "mass = \"2000 kg\"", "track.beam.mass", "a mass, wanted a mass per metre in kg/m"),
+        // read, and out of its range
+        ("half_width = 1.25", "half_width = \"-1 mm\"", "track.contact.half_width", "-0.001 m"),
+        ("density = 1500.0", "density = \"1.5 kg/m³\"", "soil.layer[0].density", "did you mean 1.5 t/m³"),
+    ] {
+        let faults = faults(&good.replacen(from, to, 1));
+        assert_eq!(faults.iter().map(CaseError::key).collect::<Vec<_>>(), [key], "{to}");
+        let help = faults[0].help().map_or(String::new(), |help| help.to_string());
+        assert!(format!("{} {help}", faults[0]).contains(said), "{} {help}", faults[0]);
+    }
+    let help = faults(&good.replace("load = 150e3", "load = \"150 m\""))[0].help().unwrap().to_string();
+    assert_eq!(help, "allowed: N, kN, MN, t");
+}
+
 #[test]
 fn water_is_not_modelled() {
     let sea = "[[soil.layer]]\nthickness = 5.0\nshear_speed = 0\npressure_speed = 1480.0\ndensity = 1000.0\nloss_factor = 0.01\n";

@@ -1,15 +1,20 @@
 //! Levels of velocity, always with their reference.
 
 use super::AssessmentError;
+use schemars::JsonSchema;
+use serde::Deserialize;
 
 /// The velocity that has level zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 pub enum Reference {
     /// v₀ = 1e-9 m/s, ISO 1683.
+    #[serde(rename = "1e-9 m/s")]
     Iso1683,
     /// v₀ = 5e-8 m/s, usual in Germany (DIN 45669, VDI 3837).
+    #[serde(rename = "5e-8 m/s")]
     German,
     /// v₀ = 2.54e-8 m/s, one microinch per second: VdB of the Federal Transit Administration.
+    #[serde(rename = "vdb")]
     VdB,
 }
 

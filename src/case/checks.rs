@@ -2,8 +2,8 @@
 
 use super::error::Finding;
 use super::ranges::{POSITIVE, numbers};
-use super::schema::SpanInput;
 use super::values::Range;
+use super::values::SpanInput;
 use crate::field::Window;
 use crate::quantity::positive;
 use crate::study::tag;

@@ -18,11 +18,16 @@ pub struct Read<T> {
     pub faults: Vec<CaseError>,
 }
 
-/// Reads the TOML `text`, called `name`; `stand_in` is a key of the document, and text for it that lets the rest be read where it
-/// is missing.
-pub fn read<T: DeserializeOwned>(text: &str, name: &str, stand_in: Option<(&str, &str)>) -> Read<T> {
+/// Reads the TOML `read`, of which the user has written `text` in the file `name`, and which stands for the table `root` of a case
+/// (empty for a whole one); `stand_in` is a key of the document, and text for it that lets the rest be read where it is missing.
+pub fn read<T: DeserializeOwned>(
+    read: &str,
+    (name, text): (&str, &str),
+    root: &str,
+    stand_in: Option<(&str, &str)>,
+) -> Read<T> {
     let (mut said, mut spoilt, mut faults) = (None, BTreeSet::new(), Vec::new());
-    let mut document = match DeTable::parse(text) {
+    let mut document = match DeTable::parse(read) {
         Ok(document) => document.into_inner(),
         Err(error) => {
             faults.push(syntax(&error, name, text));
@@ -30,7 +35,7 @@ pub fn read<T: DeserializeOwned>(text: &str, name: &str, stand_in: Option<(&str,
         }
     };
     let mut cuts = Cuts::default();
-    while let Err(mut finding) = of_table(&document).map(|all| said = Some(all)) {
+    while let Err(mut finding) = of_table(&document, root).map(|all| said = Some(all)) {
         let steps = steps(&finding.path);
         finding.path = cuts.original(&steps);
         let first = steps.first().map_or(String::new(), |step| step.name.clone());
@@ -57,17 +62,17 @@ pub fn read<T: DeserializeOwned>(text: &str, name: &str, stand_in: Option<(&str,
         if let Some((key, value)) = stand_in.filter(|(key, _)| spoilt.contains(*key)) {
             set(&mut document, key, value);
         }
-        said = of_table(&document).ok();
+        said = of_table(&document, root).ok();
     }
     Read { said, spoilt, faults }
 }
 
-/// The same of a file that stands for one table.
+/// The same of a file that stands for the table `root`.
 ///
 /// # Errors
 /// Its faults.
-pub fn whole<T: DeserializeOwned>(text: &str, name: &str) -> Result<T, CaseError> {
-    match read(text, name, None) {
+pub fn whole<T: DeserializeOwned>(text: &str, name: &str, root: &str) -> Result<T, CaseError> {
+    match read(text, (name, text), root, None) {
         Read { said: Some(said), faults, .. } if faults.is_empty() => Ok(said),
         Read { faults, .. } => Err(CaseError::all(faults, name)),
     }

@@ -2,8 +2,11 @@
 
 use super::checks::span;
 use super::error::Finding;
-use super::schema::{IrregularityInput, SpanInput};
-use crate::irregularity::{IrregularityError, Order, measured, out_of_round, sinusoidal};
+use super::schema::IrregularityInput;
+use super::values::SpanInput;
+use crate::irregularity::{
+    IrregularityError, Order, Rail, Spectrum, measured_rail, out_of_round, sinusoidal,
+};
 use crate::quantity::{finite, positive};
 use crate::study::{Carrier, Irregularity};
 use std::f64::consts::TAU;
@@ -50,8 +53,17 @@ pub fn irregularity(
     files: &dyn Fn(&str) -> Result<String, String>,
 ) -> Result<Irregularity, Finding> {
     match *input {
-        IrregularityInput::Measured { ref file, abreast, wavelengths: range } => {
-            profile(file, abreast, range.map(wavelengths).transpose()?, files)
+        IrregularityInput::Measured { ref file, rail, abreast, wavelengths: range } => {
+            profile((file, rail), abreast, range.map(wavelengths).transpose()?, files)
+        }
+        IrregularityInput::Table(ref table) => {
+            let spectrum = table.spectrum(files)?;
+            let reach = spectrum.valid().unwrap_or((SHORTEST, 1.0));
+            let wavelengths = match table.wavelengths {
+                Some(span) => wavelengths(span)?,
+                None => (reach.0.max(SHORTEST), reach.1.max(2.0 * SHORTEST)),
+            };
+            random(spectrum, wavelengths, table.seed, table.profiles)
         }
         IrregularityInput::Sinusoidal { wavelength, amplitude, phase } => {
             let profile = sinusoidal(wavelength, amplitude, phase).map_err(fault)?;
@@ -66,20 +78,30 @@ pub fn irregularity(
         IrregularityInput::OutOfRound { radius, ref orders, seed: given } => {
             wheels(radius, orders, seed(given)?)
         }
-        IrregularityInput::Random { spectrum, wavelengths: range, seed: given, profiles } => {
-            let count = profiles.unwrap_or(10);
-            if !(1..=MOST_PROFILES).contains(&count) {
-                let message = format!("found {count}: it must lie between 1 and {MOST_PROFILES}");
-                return Err(Finding::new("irregularity.profiles", message));
-            }
-            Ok(Irregularity::Random { spectrum, wavelengths: wavelengths(range)?, seed: seed(given)?, count })
+        IrregularityInput::Random { ref spectrum, wavelengths: range, seed: given, profiles } => {
+            random(spectrum.clone(), wavelengths(range)?, given, profiles)
         }
     }
 }
 
+/// Profiles with a `spectrum`.
+fn random(
+    spectrum: Spectrum,
+    wavelengths: (f64, f64),
+    given: Option<u64>,
+    profiles: Option<usize>,
+) -> Result<Irregularity, Finding> {
+    let count = profiles.unwrap_or(10);
+    if !(1..=MOST_PROFILES).contains(&count) {
+        let message = format!("found {count}: it must lie between 1 and {MOST_PROFILES}");
+        return Err(Finding::new("irregularity.profiles", message));
+    }
+    Ok(Irregularity::Random { spectrum, wavelengths, seed: seed(given)?, count })
+}
+
 /// A measured profile, its middle abreast of the receivers unless told otherwise.
 fn profile(
-    file: &str,
+    (file, rail): (&str, Option<Rail>),
     abreast: Option<f64>,
     wavelengths: Option<(f64, f64)>,
     files: &dyn Fn(&str) -> Result<String, String>,
@@ -89,9 +111,9 @@ fn profile(
         Finding::new(at, format!("cannot read \"{file}\": {reason}"))
             .help("the path is relative to the case file")
     })?;
-    let whole = measured(&csv).map_err(|e| {
+    let whole = measured_rail(&csv, rail).map_err(|e| {
         Finding::new(at, format!("{file}: {e}"))
-            .help("a header line, then x [m] and r [m, positive down], x rising")
+            .help("a header line, then x [m] and r [m, positive down], or x and the heights of both rails; x rising")
     })?;
     // N spacings, less their rounding
     let (first, length) = (whole.from(), (1e6 * whole.repeat_length()).round() / 1e6);
@@ -114,8 +136,13 @@ fn profile(
         return Err(Finding::new("irregularity.wavelengths", message).help("widen them"));
     }
     let range = wavelengths.map_or(String::new(), |(a, b)| format!(", wavelengths {a} to {b} m"));
+    let which = rail.map_or("", |rail| match rail {
+        Rail::Left => ", left rail",
+        Rail::Right => ", right rail",
+        Rail::Mean => ", mean of both rails",
+    });
     let text = format!(
-        "measured, {file}, {length} m from x = {first} m, x = {abreast} m abreast of the receivers{range}"
+        "measured, {file}{which}, {length} m from x = {first} m, x = {abreast} m abreast of the receivers{range}"
     );
     Ok(Irregularity::Given { profile: profile.shifted(abreast), text, carrier: Carrier::Rail })
 }

@@ -1,18 +1,20 @@
 //! A case file → railway and studies, everything checked before anything is computed.
 
+use super::about::About;
+use super::changed::{self, Changed};
 use super::error::{CaseError, Finding};
 use super::faults::{self, Read};
 use super::loader::Loader;
 use super::schema::{CaseInput, SoilInput};
 use super::track::Carried;
-use super::train::Wheels;
 use super::values::Named;
+use super::vehicle::Wheels;
 use super::{files, ground, plausible, roughness, studies, track, train};
 use crate::columns;
 use crate::concern::Concern;
 use crate::foundation::FoundationModel;
 use crate::railway::{Contact, Ground, Railway, Support};
-use crate::soil::{Profile, Solver};
+use crate::soil::Solver;
 use crate::study::{Study, StudyError};
 use crate::track::{Layout, Rails, Stack};
 use crate::vehicle::Train;
@@ -27,6 +29,8 @@ pub struct Case {
     pub title: String,
     /// Where the numbers come from.
     pub source: Option<String>,
+    /// For whom the report is, and by whom.
+    pub about: About,
     /// The case file as it was read.
     pub text: String,
     /// Contents of every other file the case uses, by the name it uses: records and library entries.
@@ -69,6 +73,15 @@ impl Loader<'_> {
         concerns
     }
 
+    /// Remembers the library track that the case changes.
+    fn takes(&self, Changed { file: (file, contents), reference, .. }: &Changed) {
+        self.files.borrow_mut().insert(file.clone(), contents.clone());
+        match reference {
+            Some(reference) => self.references.borrow_mut().push(reference.clone()),
+            None => self.tables.borrow_mut().push(("track", file.clone(), contents.clone())),
+        }
+    }
+
     /// What lies under the track.
     fn support(&self, input: &CaseInput) -> Option<Carrier> {
         match (&input.soil, &input.foundation) {
@@ -76,8 +89,8 @@ impl Loader<'_> {
                 Finding::new("foundation", "soil and foundation are both given").help("remove one of them"),
             ))),
             (Some(soil), None) => {
-                let (profile, solver, second) = self.keep(self.soil(soil))?;
-                Some((Support::Ground(Ground::new(profile, solver, None)), second))
+                let (ground, second) = self.keep(self.soil(soil))?;
+                Some((Support::Ground(ground), second))
             }
             (None, Some(springs)) => Some((Support::Springs(springs.clone()), None)),
             (None, None) if self.lacks("soil") && self.lacks("foundation") => {
@@ -165,7 +178,7 @@ impl Loader<'_> {
     }
 
     /// The ground, its solver and the one to verify it with.
-    fn soil(&self, named: &Named<SoilInput>) -> Result<(Profile, Solver, Option<Solver>), CaseError> {
+    fn soil(&self, named: &Named<SoilInput>) -> Result<(Ground, Option<Solver>), CaseError> {
         let mut soil = self.resolve(named, "soil", "soils")?;
         let solver_path = |prefix: &str| [prefix, "solver"].join(if prefix.is_empty() { "" } else { "." });
         let mut solvers = ground::solvers(soil.table.solver, &solver_path(&soil.prefix))
@@ -194,7 +207,9 @@ impl Loader<'_> {
         let profile = ground::profile(&soil.table, &soil.prefix).map_err(|faults| {
             CaseError::all(faults.into_iter().map(|f| f.at(&soil.name, &soil.text)), self.name)
         })?;
-        Ok((profile, solvers.0, solvers.1))
+        let materials = soil.table.layer.iter().chain(&soil.table.half_space);
+        let names = materials.map(|material| material.name.clone()).collect();
+        Ok((Ground::new(profile, solvers.0, None).named(names), solvers.1))
     }
 }
 
@@ -235,18 +250,24 @@ impl Case {
         name: &str,
         open: &dyn Fn(&str) -> Result<String, String>,
     ) -> Result<Self, CaseError> {
-        let Read { said, spoilt, faults } = faults::read::<CaseInput>(text, name, Some(("title", "")));
-        let Some(input) = said else { return Err(CaseError::all(faults, name)) };
-        let loader = Loader {
-            name,
-            text,
-            open,
-            files: RefCell::default(),
-            tables: RefCell::default(),
-            references: RefCell::default(),
-            spoilt,
-            faults: RefCell::new(faults),
+        let (changed, refused) = match changed::track((text, name), open) {
+            Ok(changed) => (changed, None),
+            Err(fault) => (None, Some(fault)),
         };
+        let whole = changed.as_ref().map_or(text, |changed| &changed.text);
+        let Read { said, mut spoilt, mut faults } =
+            faults::read::<CaseInput>(whole, (name, text), "", Some(("title", "")));
+        if refused.is_some() {
+            // nothing more is to be said of the track
+            faults.retain(|fault| !fault.key().starts_with("track"));
+            faults.extend(refused);
+            spoilt.insert("track".into());
+        }
+        let Some(mut input) = said else { return Err(CaseError::all(faults, name)) };
+        input.track = input.track.filter(|_| !spoilt.contains("track"));
+        let faults = RefCell::new(faults);
+        let loader = Loader { read: whole, spoilt, faults, ..Loader::of(name, text, open) };
+        changed.iter().for_each(|changed| loader.takes(changed));
         let ground = loader.support(&input);
         let track = loader.track(&input);
         let train = loader.train(&input);
@@ -254,7 +275,9 @@ impl Case {
         let rails = track.as_ref().map_or(Rails::Two, |track| track.2);
         let (studies, faults) =
             studies::studies(&input, (wheels, rails), &loader.spoilt, &|name| loader.file(name));
-        loader.faults.borrow_mut().extend(faults.into_iter().map(|finding| loader.fault(finding)));
+        let heads = input.report.iter().flat_map(About::faults);
+        let faults = faults.into_iter().chain(heads).map(|finding| loader.fault(finding));
+        loader.faults.borrow_mut().extend(faults.collect::<Vec<_>>());
         let concerns = loader.review(&input);
         let railways = match (ground, track, train) {
             (Some((mut support, second)), Some((layout, contact, _)), Some(train)) => {
@@ -273,6 +296,7 @@ impl Case {
             (Some((railway, witness)), faults) if faults.is_empty() => Ok(Self {
                 title: input.title,
                 source: input.source,
+                about: input.report.unwrap_or_default(),
                 text: text.to_owned(),
                 files: loader.files.take(),
                 references: loader.references.take(),

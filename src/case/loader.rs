@@ -14,6 +14,8 @@ pub struct Resolved<T> {
     pub prefix: String,
     pub name: String,
     pub text: String,
+    /// What it was read from: the text, or that with what a library brings.
+    pub read: String,
 }
 
 impl<T> Resolved<T> {
@@ -37,12 +39,23 @@ impl<T> Resolved<T> {
     }
 }
 
+/// The table of a case that an entry on the shelf `kind` of the library stands for.
+pub fn root(kind: &str) -> &'static str {
+    match kind {
+        "soils" => "soil",
+        "tracks" => "track",
+        _ => "train",
+    }
+}
+
 /// The case file and what was read beside it.
 pub struct Loader<'a> {
     /// What messages call the case file.
     pub name: &'a str,
     /// Its text.
     pub text: &'a str,
+    /// The same with the keys of a library track that it changes.
+    pub read: &'a str,
     /// Reads a file beside the case.
     pub open: &'a dyn Fn(&str) -> Result<String, String>,
     /// What was read, by name.
@@ -57,7 +70,22 @@ pub struct Loader<'a> {
     pub faults: RefCell<Vec<CaseError>>,
 }
 
-impl Loader<'_> {
+impl<'a> Loader<'a> {
+    /// A loader of the file `name` with contents `text`, beside which `open` reads others.
+    pub fn of(name: &'a str, text: &'a str, open: &'a dyn Fn(&str) -> Result<String, String>) -> Self {
+        Self {
+            name,
+            text,
+            read: text,
+            open,
+            files: RefCell::default(),
+            tables: RefCell::default(),
+            references: RefCell::default(),
+            spoilt: BTreeSet::new(),
+            faults: RefCell::default(),
+        }
+    }
+
     /// A fault of the case file.
     pub fn fault(&self, finding: Finding) -> CaseError {
         finding.at(self.name, self.text)
@@ -94,6 +122,7 @@ impl Loader<'_> {
                     prefix: key.to_owned(),
                     name: self.name.to_owned(),
                     text: self.text.to_owned(),
+                    read: self.read.to_owned(),
                 });
             }
             Named::Name(wanted) => wanted,
@@ -113,7 +142,11 @@ impl Loader<'_> {
                     self.files.borrow_mut().insert(name.clone(), entry.text.to_owned());
                     let title = entry.text_of("title").unwrap_or_default();
                     let source = entry.text_of("source").unwrap_or_default();
-                    self.references.borrow_mut().push(format!("{wanted}: {title}. {source}"));
+                    let reference = format!("{wanted}: {title}. {source}");
+                    let mut references = self.references.borrow_mut();
+                    if !references.contains(&reference) {
+                        references.push(reference);
+                    }
                     (name, entry.text.to_owned())
                 }
                 Err(mut finding) => {
@@ -126,18 +159,17 @@ impl Loader<'_> {
                 }
             }
         };
-        let table = faults::whole(&text, &name)?;
-        Ok(Resolved { table, prefix: String::new(), name, text })
+        let table = faults::whole(&text, &name, root(kind))?;
+        Ok(Resolved { table, prefix: String::new(), name, read: text.clone(), text })
     }
 
     /// The `text` of the file `name` beside the case, remembered as a table of `kind`.
     fn table(&self, kind: &str, name: &str, text: String) -> String {
-        let root = match kind {
-            "soils" => "soil",
-            "tracks" => "track",
-            _ => "train",
-        };
-        self.tables.borrow_mut().push((root, name.to_owned(), text.clone()));
+        let table = (root(kind), name.to_owned(), text.clone());
+        let mut tables = self.tables.borrow_mut();
+        if !tables.contains(&table) {
+            tables.push(table);
+        }
         text
     }
 }

@@ -5,8 +5,8 @@ use super::error::Finding;
 use super::rail_studies::place;
 use super::ranges::{NOT_NEGATIVE, POSITIVE, numbers, speeds};
 use super::schema::{DefectInput, HangingInput, ModalInput, PassageInput};
-use super::train::Wheels;
 use super::values::Range;
+use super::vehicle::Wheels;
 use crate::assessment::Band;
 use crate::irregularity::Defect;
 use crate::quantity::{not_negative, positive};
@@ -214,7 +214,7 @@ fn running(
             _ => Ok(None),
         };
     };
-    let Some(contact) = *contact else {
+    let Some(contact) = contact.clone() else {
         return Err(Finding::new("train", "the wheels have no contact with the rail")
             .help("add wheel_rail.stiffness [N/m per wheelset] or wheel_rail.radius [m]"));
     };

@@ -4,47 +4,13 @@
 //! magnitude: they catch kilo- and mega-units, millimetres and per cent, and leave every real railway in peace.
 
 use super::error::{CaseError, Finding};
+use super::keys;
+use super::units::{
+    AREA, BEDDING, BENDING, DAMPER, DENSITY, HERTZ, INERTIA, KILOGRAM, LINE_DAMPER, LINE_MASS, LINE_SPRING,
+    METRE, NEWTON, PRESSURE, RADIAN, RATIO, ROTARY, ROUGHNESS, SECOND, SPEED, SPRING, Unit,
+};
 use crate::concern::Concern;
 use toml::Value;
-
-/// An SI unit, and the units people write instead with their size in it.
-struct Unit {
-    name: &'static str,
-    slips: &'static [(&'static str, f64)],
-    /// What more to say.
-    note: &'static str,
-}
-
-const fn unit(name: &'static str, slips: &'static [(&'static str, f64)]) -> Unit {
-    Unit { name, slips, note: "" }
-}
-
-const METRE: Unit = unit("m", &[("mm", 1e-3), ("cm", 1e-2), ("µm", 1e-6)]);
-const SPEED: Unit = unit("m/s", &[("km/h", 1.0 / 3.6), ("km/s", 1e3)]);
-/// Speeds of trains, which may stand with their unit: then they are no numbers, and taken as meant.
-const TRAVEL: Unit = Unit {
-    name: "m/s",
-    slips: &[("km/h", 1.0 / 3.6)],
-    note: "; with its unit, as in \"250 m/s\", it is taken as meant",
-};
-const SECOND: Unit = unit("s", &[("ms", 1e-3)]);
-const RADIAN: Unit = unit("rad", &[("mrad", 1e-3), ("°", std::f64::consts::PI / 180.0)]);
-const HERTZ: Unit = unit("Hz", &[("kHz", 1e3)]);
-const RATIO: Unit = unit("", &[("%", 1e-2)]);
-const DENSITY: Unit = unit("kg/m³", &[("t/m³", 1e3), ("kN/m³", 1e3 / 9.81)]);
-const PRESSURE: Unit = unit("Pa", &[("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9)]);
-const NEWTON: Unit = unit("N", &[("kN", 1e3), ("t", 9.81e3)]);
-const AXIAL: Unit = unit("N", &[("kN", 1e3), ("MN", 1e6)]);
-const KILOGRAM: Unit = unit("kg", &[("t", 1e3)]);
-const INERTIA: Unit = unit("kg m²", &[("t m²", 1e3)]);
-const LINE_MASS: Unit = unit("kg/m", &[("t/m", 1e3)]);
-const ROTARY: Unit = unit("kg m", &[("t m", 1e3)]);
-const BENDING: Unit = unit("N m²", &[("kN m²", 1e3), ("MN m²", 1e6)]);
-const LINE_SPRING: Unit = unit("N/m²", &[("kN/m²", 1e3), ("MN/m²", 1e6), ("GN/m²", 1e9)]);
-const LINE_DAMPER: Unit = unit("N s/m²", &[("kN s/m²", 1e3), ("MN s/m²", 1e6)]);
-const SPRING: Unit = unit("N/m", &[("kN/m", 1e3), ("MN/m", 1e6), ("GN/m", 1e9)]);
-const DAMPER: Unit = unit("N s/m", &[("kN s/m", 1e3), ("MN s/m", 1e6)]);
-const ROUGHNESS: Unit = unit("m³", &[("cm³", 1e-6)]);
 
 /// What the absolute value of a key can be.
 struct Row {
@@ -78,8 +44,8 @@ const TABLE: &[Row] = &[
     row("foundation.stiffness", LINE_SPRING, (1e3, 1e13), (1e6, 1e10)),
     row("foundation.damping", LINE_DAMPER, ANY, (1e2, 1e8)),
     row("foundation.loss_factor", RATIO, (0.0, 5.0), (0.0, 2.0)),
-    row("foundation.shear", AXIAL, ANY, (1e4, 1e10)),
-    row("foundation.tension", AXIAL, ANY, (1e4, 1e10)),
+    row("foundation.shear", NEWTON, ANY, (1e4, 1e10)),
+    row("foundation.tension", NEWTON, ANY, (1e4, 1e10)),
     row("foundation.bending_stiffness", BENDING, ANY, (1e3, 1e11)),
     row("foundation.upper_stiffness", LINE_SPRING, (1e3, f64::INFINITY), (1e6, 1e12)),
     row("foundation.element.stiffness", LINE_SPRING, (1e3, 1e13), (1e6, 1e10)),
@@ -96,11 +62,11 @@ const TABLE: &[Row] = &[
     row("*.*.element.reference_frequency", HERTZ, (1e-3, 1e6), (0.5, 1e4)),
     row("track.rail.bending_stiffness", BENDING, (1e3, 1e10), (2e5, 1e8)),
     row("track.rail.mass", LINE_MASS, (1.0, 1e4), (15.0, 300.0)),
-    row("track.rail.shear_stiffness", AXIAL, (1e5, 1e12), (3e7, 3e9)),
+    row("track.rail.shear_stiffness", NEWTON, (1e5, 1e12), (3e7, 3e9)),
     row("track.rail.rotary_inertia", ROTARY, (1e-4, 1e4), (0.02, 10.0)),
-    row("track.beam.shear_stiffness", AXIAL, (1e5, 1e14), (3e7, 1e12)),
+    row("track.beam.shear_stiffness", NEWTON, (1e5, 1e14), (3e7, 1e12)),
     row("track.beam.rotary_inertia", ROTARY, (1e-4, 1e8), (0.02, 1e6)),
-    row("track.slab.shear_stiffness", AXIAL, (1e5, 1e14), (3e7, 1e12)),
+    row("track.slab.shear_stiffness", NEWTON, (1e5, 1e14), (3e7, 1e12)),
     row("track.slab.rotary_inertia", ROTARY, (1e-4, 1e8), (0.02, 1e6)),
     row("track.pad.stiffness", LINE_SPRING, (1e5, 1e14), (5e6, 2e10)),
     row("track.pad.damping", LINE_DAMPER, ANY, (3e2, 1e7)),
@@ -115,6 +81,26 @@ const TABLE: &[Row] = &[
     row("track.ballast.mass", LINE_MASS, (5.0, 1e6), (100.0, 2e4)),
     row("track.ballast.link.stiffness", SPRING, (1e3, 1e12), (1e5, 1e10)),
     row("track.ballast.link.damping", DAMPER, ANY, (1e2, 1e8)),
+    row("track.*.piece.stiffness", SPRING, (1e4, 1e12), (5e5, 1e10)),
+    row("track.*.piece.damping", DAMPER, ANY, (1e2, 1e7)),
+    row("track.*.piece.loss_factor", RATIO, (0.0, 5.0), (0.0, 2.0)),
+    row("track.sleeper.piece.mass", KILOGRAM, (5.0, 1e4), (40.0, 1000.0)),
+    row("track.*.spacing", METRE, (0.05, 100.0), (0.4, 5.0)),
+    row("track.*.bedding_modulus", BEDDING, (1e5, 1e12), (3e6, 1e10)),
+    row("track.mat.width", METRE, (0.01, 50.0), (0.1, 10.0)),
+    row("track.*.area", AREA, (1e-4, 10.0), (0.01, 2.0)),
+    row("track.under_sleeper_pad.stiffness", LINE_SPRING, (1e5, 1e14), (5e6, 2e10)),
+    row("track.mat.stiffness", LINE_SPRING, (1e5, 1e14), (5e6, 2e10)),
+    row("track.sub_ballast.young", PRESSURE, (1e4, 1e12), (5e6, 2e9)),
+    row("track.sub_ballast.height", METRE, (0.01, 50.0), (0.05, 3.0)),
+    row("track.sub_ballast.alpha", RATIO, (1e-3, 10.0), (0.02, 1.0)),
+    row("track.sub_ballast.wave_speed", SPEED, (5.0, 1e4), (50.0, 2000.0)),
+    row("track.sub_ballast.density", DENSITY, (5.0, 25e3), (700.0, 3500.0)),
+    row("track.sub_ballast.stiffness", LINE_SPRING, (1e4, 1e13), (5e6, 2e10)),
+    row("track.sub_ballast.damping", LINE_DAMPER, ANY, (3e2, 1e8)),
+    row("track.sub_ballast.mass", LINE_MASS, (5.0, 1e6), (100.0, 2e4)),
+    row("train.overhang", METRE, (0.0, 100.0), (0.1, 20.0)),
+    row("train.vehicle[].length", METRE, (0.5, 5e3), (4.0, 500.0)),
     row("track.support.spacing", METRE, (0.05, 100.0), (0.4, 5.0)),
     row("track.support.width", METRE, (0.005, 100.0), (0.1, 3.0)),
     row("track.section[].length", METRE, (0.05, 1e6), (0.4, 1e4)),
@@ -155,10 +141,10 @@ const TABLE: &[Row] = &[
     row("passage.step", SECOND, (1e-9, 1.0), (1e-7, 5e-3)),
     row("passage.step_length", METRE, (1e-7, 1.0), (1e-5, 0.05)),
     row("*.passage_time", SECOND, ANY, (0.1, 600.0)),
-    row("*.speed", TRAVEL, ANY, (0.0, 200.0)),
-    row("*.speeds[]", TRAVEL, ANY, (0.0, 200.0)),
-    row("*.speeds.to", TRAVEL, ANY, (0.0, 200.0)),
-    row("*.*.speed", TRAVEL, ANY, (0.0, 200.0)),
+    row("*.speed", SPEED, ANY, (0.0, 200.0)),
+    row("*.speeds[]", SPEED, ANY, (0.0, 200.0)),
+    row("*.speeds.to", SPEED, ANY, (0.0, 200.0)),
+    row("*.*.speed", SPEED, ANY, (0.0, 200.0)),
 ];
 
 /// Whether `path`, such as `soil.layer[1].young`, fits `key`.
@@ -179,20 +165,38 @@ fn fits(key: &str, path: &str) -> bool {
     }
 }
 
-/// Every number of `value` with its path.
-fn numbers(value: &Value, path: &str, found: &mut Vec<(String, f64)>) {
+/// A number with its path within the whole case and within its file, and whether it stands there with its unit.
+struct Number {
+    whole: String,
+    path: String,
+    value: f64,
+    meant: bool,
+}
+
+/// Every number of `value` with its path, and whether it has a unit.
+fn numbers(value: &Value, (root, path): (&str, &str), found: &mut Vec<Number>) {
+    let whole = || match (root, path) {
+        ("", path) => path.to_owned(),
+        (root, path) => format!("{root}.{path}"),
+    };
+    let mut push = |value, meant| found.push(Number { whole: whole(), path: path.to_owned(), value, meant });
     match value {
-        Value::Float(number) => found.push((path.to_owned(), *number)),
-        Value::Integer(number) => found.push((path.to_owned(), *number as f64)),
+        Value::Float(number) => push(*number, false),
+        Value::Integer(number) => push(*number as f64, false),
+        Value::String(text) => {
+            if let Some(value) = keys::unit(&whole()).and_then(|unit| unit.read(text).ok()) {
+                push(value, true);
+            }
+        }
         Value::Array(list) => {
             for (i, value) in list.iter().enumerate() {
-                numbers(value, &format!("{path}[{i}]"), found);
+                numbers(value, (root, &format!("{path}[{i}]")), found);
             }
         }
         Value::Table(table) => {
             for (key, value) in table {
                 let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
-                numbers(value, &path, found);
+                numbers(value, (root, &path), found);
             }
         }
         _ => {}
@@ -217,21 +221,25 @@ impl Row {
     /// "did you mean 150 kN = 1.5e5 N?" for every unit that makes `value` usual.
     fn meant(&self, value: f64) -> String {
         let (low, high) = self.usual;
-        let readings: Vec<String> = self
-            .unit
-            .slips
-            .iter()
-            .filter(|(_, size)| (low..=high).contains(&(value.abs() * size)))
-            .map(|(name, size)| format!("{} {name} = {}", shown(value), self.quantity(value * size)))
-            .collect();
+        let mut readings: Vec<(f64, String)> = Vec::new();
+        for (name, size) in self.unit.others {
+            let usual = (low..=high).contains(&(value.abs() * size));
+            if usual && readings.iter().all(|(other, _)| other != size) {
+                let reading = format!("{} {name} = {}", shown(value), self.quantity(value * size));
+                readings.push((*size, reading));
+            }
+        }
         let unit = match self.unit.name {
             "" => "a plain ratio".to_owned(),
-            unit => format!("in {unit}"),
+            unit => {
+                format!("in {unit}; with its unit, as in \"{} {unit}\", it is taken as meant", shown(value))
+            }
         };
         match readings.is_empty() {
-            true => format!("the key is {unit}{}", self.unit.note),
+            true => format!("the key is {unit}"),
             false => {
-                format!("did you mean {}? The key is {unit}{}", readings.join(", or "), self.unit.note)
+                let readings: Vec<String> = readings.into_iter().map(|(_, reading)| reading).collect();
+                format!("did you mean {}? The key is {unit}", readings.join(", or "))
             }
         }
     }
@@ -251,29 +259,27 @@ impl Row {
 pub fn review(root: &str, name: &str, text: &str) -> (Vec<CaseError>, Vec<Concern>) {
     let (mut refused, mut concerns) = (Vec::new(), Vec::new());
     let Ok(table) = text.parse::<toml::Table>() else { return (refused, concerns) };
-    let mut found = Vec::new();
-    numbers(&Value::Table(table), "", &mut found);
-    let mut rest: Vec<(String, String, f64)> = found
-        .into_iter()
-        .map(|(path, value)| {
-            let whole = if root.is_empty() { path.clone() } else { format!("{root}.{path}") };
-            // a section has the keys of its track
-            let whole = match whole.strip_prefix("track.section[").and_then(|rest| rest.split_once("].")) {
-                Some((_, "length")) | None => whole,
-                Some((_, key)) => format!("track.{key}"),
-            };
-            (whole, path, value)
-        })
-        .collect();
+    let mut rest = Vec::new();
+    numbers(&Value::Table(table), (root, ""), &mut rest);
+    for number in &mut rest {
+        // a section has the keys of its track
+        let key = number.whole.strip_prefix("track.section[").and_then(|rest| rest.split_once("]."));
+        if let Some((_, key)) = key.filter(|(_, key)| *key != "length") {
+            number.whole = format!("track.{key}");
+        }
+    }
     for row in TABLE {
-        let (here, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(|(whole, ..)| fits(row.key, whole));
+        let (here, others): (Vec<_>, Vec<_>) = rest.into_iter().partition(|n| fits(row.key, &n.whole));
         rest = others;
         let outside = |(low, high): (f64, f64), value: f64| {
             value.is_finite() && value != 0.0 && !(low..=high).contains(&value.abs())
         };
-        let doubtful: Vec<_> = here.iter().filter(|(.., value)| outside(row.usual, *value)).collect();
-        let first = doubtful.iter().find(|(.., value)| outside(row.possible, *value)).or(doubtful.first());
-        let Some((_, path, value)) = first else { continue };
+        let impossible = |n: &&Number| outside(row.possible, n.value);
+        // what has its unit is taken as meant, where it can be
+        let doubtful: Vec<_> =
+            here.iter().filter(|n| outside(row.usual, n.value) && (!n.meant || impossible(n))).collect();
+        let first = doubtful.iter().copied().find(impossible).or(doubtful.first().copied());
+        let Some(Number { path, value, .. }) = first else { continue };
         if outside(row.possible, *value) {
             let message = format!("found {}; possible is {}", row.quantity(*value), row.range(row.possible));
             refused.push(Finding::new(path, message).help(row.meant(*value)).at(name, text));

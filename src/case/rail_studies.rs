@@ -2,7 +2,7 @@
 
 use super::checks::{FARTHEST, ascending, distinct, receivers, span, window};
 use super::error::Finding;
-use super::ranges::{MOST, POSITIVE, numbers, speeds};
+use super::ranges::{MOST, POSITIVE, line_speed, numbers, speeds};
 use super::schema::{
     BesideInput, DecayRateInput, MeasuredInput, ReceptanceInput, TrackResponseInput, TransitionInput,
 };
@@ -11,7 +11,7 @@ use crate::columns::{self, Columns};
 use crate::quantity::positive;
 use crate::rail::Method;
 use crate::study::{
-    Beside, DecayRate, Receptance, ReceptanceMap, Record, TrackResponse, Transition, same_speed,
+    Beside, DecayRate, Receptance, ReceptanceMap, Record, TrackResponse, Transition, same_speed, tag,
 };
 
 /// Two columns of the CSV `file` that the key at `at` names.
@@ -43,7 +43,7 @@ fn record(
     let at = format!("{path}.file");
     let Columns { x, values: deflection, .. } =
         columns_of(&input.file, &at, files, "x′ [m], deflection [m]")?;
-    Ok(Record { speed: input.speed.0, label: input.label.clone(), x, deflection })
+    Ok(Record { speed: input.speed, label: input.label.clone(), x, deflection })
 }
 
 pub fn track_response(
@@ -67,12 +67,13 @@ pub fn track_response(
             format!("a spacing of {spacing} m makes {:.0} positions, more than {MOST}", length / spacing);
         return Err(Finding::new("track_response.spacing", found).help("use a larger spacing"));
     }
-    let speeds = speeds(&input.speeds, "track_response.speeds")?;
+    let mut speeds = speeds(&input.speeds, "track_response.speeds")?;
     distinct(&speeds, "track_response.speeds", "m/s")?;
+    let line_speed = line_speed(input.line_speed, "track_response.line_speed")?;
+    speeds.extend(line_speed.filter(|line| !speeds.iter().any(|v| tag(*v) == tag(*line))));
     for (i, measured) in input.measured.iter().enumerate() {
-        if !speeds.iter().any(|v| same_speed(*v, measured.speed.0)) {
-            let message =
-                format!("the record is for {} m/s, which is not among the speeds", measured.speed.0);
+        if !speeds.iter().any(|v| same_speed(*v, measured.speed)) {
+            let message = format!("the record is for {} m/s, which is not among the speeds", measured.speed);
             return Err(Finding::new(format!("track_response.measured[{i}].speed"), message)
                 .help("add the speed to track_response.speeds"));
         }
@@ -90,6 +91,7 @@ pub fn track_response(
     let at = if input.at.is_empty() { Vec::new() } else { places(&input.at, "track_response.at")? };
     Ok(TrackResponse {
         speeds,
+        line_speed,
         x,
         spacing,
         records,

@@ -1,7 +1,7 @@
 //! Ranges of a case file → their numbers, with every fault at its key.
 
 use super::error::Finding;
-use super::values::{Bands, Range, Speed};
+use super::values::{Bands, Range};
 use crate::assessment::Band;
 use crate::math::decimal::arithmetic;
 
@@ -48,17 +48,19 @@ pub fn numbers(
 pub const POSITIVE: (fn(f64) -> bool, &str) = (|v| v > 0.0, "above zero");
 pub const NOT_NEGATIVE: (fn(f64) -> bool, &str) = (|v| v >= 0.0, "not negative");
 
-fn plain(range: &Range<Speed>) -> Range<f64> {
-    match range {
-        Range::List(list) => Range::List(list.iter().map(|s| s.0).collect()),
-        Range::Steps { from, to, step, bands } => {
-            Range::Steps { from: from.0, to: to.0, step: step.map(|step| step.0), bands: *bands }
-        }
-    }
+pub fn speeds(range: &Range<f64>, path: &str) -> Result<Vec<f64>, Finding> {
+    numbers(range, path, "m/s", NOT_NEGATIVE)
 }
 
-pub fn speeds(range: &Range<Speed>, path: &str) -> Result<Vec<f64>, Finding> {
-    numbers(&plain(range), path, "m/s", NOT_NEGATIVE)
+/// The speed of a line [m/s], above zero and slower than sound.
+pub fn line_speed(speed: Option<f64>, path: &str) -> Result<Option<f64>, Finding> {
+    match speed {
+        Some(v) if !(v > 0.0 && v < 340.0) => {
+            let message = format!("{v} m/s: the speed of a line must lie above 0 and below 340 m/s");
+            Err(Finding::new(path, message).help("write it as \"250 km/h\", or in m/s"))
+        }
+        speed => Ok(speed),
+    }
 }
 
 /// from, from + step, … up to `to`.

@@ -1,6 +1,7 @@
 //! What goes into `report.html`: answers, pictures, every input, the assumptions.
 
 use super::Case;
+use super::track_table::track_table;
 use super::verification::Verification;
 use crate::concern::Concern;
 use crate::output::{Report, ReportTable};
@@ -10,32 +11,47 @@ use crate::soil::{Base, Material};
 use crate::study::{ContactLaw, Irregularity, Outcome, Passage, Study};
 use crate::track::{Layout, Section, Supports};
 
+/// At most three decimals, no trailing zeros.
+fn trimmed(value: f64) -> String {
+    let text = format!("{value:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Layers, with damping ratios in per cent: half of the loss factors.
 fn ground_table(railway: &Railway) -> Option<ReportTable> {
-    let Ground { profile, .. } = railway.ground().ok()?;
-    let row = |name: String, thickness: String, m: &Material| {
+    let Ground { profile, names, .. } = railway.ground().ok()?;
+    let named = |i: usize, otherwise: String| names.get(i).cloned().flatten().unwrap_or(otherwise);
+    let mut depth = 0.0;
+    let mut row = |name: String, thickness: Option<f64>, m: &Material| {
+        let from = depth;
+        depth += thickness.unwrap_or(0.0);
         vec![
             name,
-            thickness,
+            trimmed(from),
+            thickness.map_or("∞".into(), trimmed),
             format!("{:.1}", m.c_s()),
             format!("{:.1}", m.c_p()),
             format!("{:.1}", m.rayleigh_speed()),
             format!("{:.3}", m.poisson()),
             format!("{:.0}", m.density()),
-            format!("{:.4}", m.loss_factor()),
-            format!("{:.4}", m.loss_factor_pressure()),
+            // ξ = η/2
+            format!("{:.2}", 50.0 * m.loss_factor()),
+            format!("{:.2}", 50.0 * m.loss_factor_pressure()),
         ]
     };
     let mut rows: Vec<Vec<String>> = profile
         .layers()
         .iter()
         .enumerate()
-        .map(|(i, l)| row(format!("layer {}", i + 1), format!("{}", l.thickness), &l.material))
+        .map(|(i, l)| row(named(i, format!("layer {}", i + 1)), Some(l.thickness), &l.material))
         .collect();
     match profile.base() {
-        Base::HalfSpace(material) => rows.push(row("half-space".into(), "∞".into(), &material)),
+        Base::HalfSpace(material) => {
+            rows.push(row(named(profile.layers().len(), "half-space".into()), None, &material));
+        }
         Base::Rigid => {
             let mut cells = vec!["rigid base".to_owned()];
-            cells.resize(9, String::new());
+            cells.resize(10, String::new());
             rows.push(cells);
         }
     }
@@ -43,14 +59,15 @@ fn ground_table(railway: &Railway) -> Option<ReportTable> {
         title: "Ground".into(),
         header: [
             "",
+            "from [m]",
             "h [m]",
             "c_s [m/s]",
             "c_p [m/s]",
             "c_R [m/s]",
             "ν [-]",
             "ρ [kg/m³]",
-            "η_s [-]",
-            "η_p [-]",
+            "ξ_s [%]",
+            "ξ_p [%]",
         ]
         .map(str::to_owned)
         .to_vec(),
@@ -97,15 +114,16 @@ fn maps_table(outcomes: &[(&'static str, Outcome)]) -> Option<ReportTable> {
 fn excitation(studies: &[Study]) -> Vec<String> {
     let mut list = Vec::new();
     let moving = |s: &Study| match s {
-        Study::CriticalSpeed(_) | Study::Contour(_) => true,
+        Study::CriticalSpeed(_) | Study::Contour(_) | Study::GroundAtDepth(_) => true,
         Study::TrackResponse(study) => study.harmonic.is_none(),
         _ => false,
     };
     if studies.iter().any(moving) {
-        list.push("Loads are constant axle loads moving at constant speed (quasi-static excitation); rail roughness and vehicle dynamics are not in critical speed, track response and contour.".to_owned());
+        list.push("Loads are constant axle loads moving at constant speed (quasi-static excitation); rail roughness and vehicle dynamics are not in critical speed, track response, contour and ground at depth.".to_owned());
     }
     for study in studies {
         match study {
+            Study::GroundAtDepth(_) => list.push("Stresses and strains at depth are those that the train adds, by exact layer matrices whatever the solver of the surface; tension and extension positive, shear strains as engineers count them (γ = 2ε). At an interface they are those just below it.".into()),
             Study::Receptance(_) => list.push("Receptances are per unit harmonic force e^{iωt} standing on the rail, on both rails alike unless the case says rails = 1.".into()),
             Study::TrackResponse(study) => list.extend(study.harmonic.map(|frequency| {
                 format!("In the track response every axle load P moves at constant speed and oscillates, P cos ω̃t at {frequency} Hz, all of them together.")
@@ -121,8 +139,8 @@ fn excitation(studies: &[Study]) -> Vec<String> {
                 list.push("The free field is vertical, unweighted, at the surface of the open ground: no building, no coupling loss. Third octaves are exact base-10 bands; the r.m.s. is over the passage time.".into());
                 list.push(match &study.roughness {
                     Some(roughness) => format!(
-                        "Quasi-static part: constant moving axle loads. Dynamic part: wheels and rails in linear contact (k_H = {:.3e} N/m per wheelset), {} wheelsets with the bodies the case gives them; both rails have the same profile: {}.",
-                        roughness.contact,
+                        "Quasi-static part: constant moving axle loads. Dynamic part: wheels and rails in linear contact ({} per wheelset), {} wheelsets with the bodies the case gives them; both rails have the same profile: {}.",
+                        stiffnesses(&roughness.contact),
                         roughness.bodies.wheelset_count(),
                         roughness.irregularity.text(),
                     ),
@@ -148,6 +166,16 @@ fn excitation(studies: &[Study]) -> Vec<String> {
     list
 }
 
+/// "k_H = 2.1e9 N/m", or from the least to the largest of different ones.
+fn stiffnesses(contact: &[f64]) -> String {
+    let least = contact.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = contact.iter().copied().fold(0.0, f64::max);
+    match least == largest {
+        true => format!("k_H = {least:.3e} N/m"),
+        false => format!("k_H = {least:.3e} to {largest:.3e} N/m"),
+    }
+}
+
 /// What a train meets that passes in time.
 fn passing(study: &Passage) -> Vec<String> {
     let mut list = vec![format!(
@@ -161,7 +189,8 @@ fn passing(study: &Passage) -> Vec<String> {
                 ContactLaw::NonLinear => "Hertz contact that lets go",
                 ContactLaw::Linear => "linear contact that pulls where wheels would leave the rail",
             };
-            format!("{law}, k_H = {:.3e} N/m per wheelset under the mean axle load.", running.contact)
+            let contact: Vec<f64> = running.contact.iter().map(|spring| spring.stiffness).collect();
+            format!("{law}, {} per wheelset under the mean axle load of its vehicle.", stiffnesses(&contact))
         }
     });
     if let Some(irregularity) = study.running.as_ref().and_then(|running| running.irregularity.as_ref()) {
@@ -209,7 +238,7 @@ fn assumptions(railway: &Railway, studies: &[Study]) -> Vec<String> {
     ];
     list.extend(excitation(studies));
     match railway.support() {
-        Support::Ground(Ground { profile, solver, contact }) => {
+        Support::Ground(Ground { profile, solver, contact, .. }) => {
             list.push("Horizontally layered, isotropic ground with hysteretic damping M* = M (1 + iη sgn ω); small strains: if the computed strains are large, use strain-reduced moduli.".into());
             list.push(solver.method());
             if profile.is_undamped() {
@@ -268,6 +297,7 @@ pub fn report(
 ) -> Report {
     Report {
         title: case.title.clone(),
+        about: case.about.rows(),
         source: case.source.clone(),
         version: env!("CARGO_PKG_VERSION").into(),
         answers: outcomes
@@ -275,8 +305,10 @@ pub fn report(
             .flat_map(|(_, o)| o.answers.iter().map(|a| (a.what.clone(), a.shown.clone())))
             .collect(),
         figures,
+        answer_tables: outcomes.iter().flat_map(|(_, o)| o.tables.iter().cloned()).collect(),
         tables: [
             ground_table(&case.railway),
+            track_table(&case.railway),
             train_table(&case.railway),
             verification.map(Verification::table),
             maps_table(outcomes),

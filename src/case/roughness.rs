@@ -1,9 +1,9 @@
 //! What a given profile of the rail may be doubted for: gaps, steps, heights in the wrong unit.
 
 use super::schema::IrregularityInput;
-use crate::columns::{self, Columns};
+use crate::columns::Columns;
 use crate::concern::Concern;
-use crate::irregularity::measured;
+use crate::irregularity::{Rail, measured_rail, rail_columns};
 use std::f64::consts::TAU;
 
 /// Steepest slope of a rail that trains run on, and largest r.m.s. height [m].
@@ -32,15 +32,17 @@ pub fn concerns(input: &IrregularityInput, files: &dyn Fn(&str) -> Result<String
         IrregularityInput::Sinusoidal { wavelength, amplitude, .. } => {
             steep("amplitude", TAU * amplitude / wavelength, "").into_iter().collect()
         }
-        IrregularityInput::Measured { file, .. } => {
-            files(file).map_or(Vec::new(), |text| of_profile(file, &text))
+        IrregularityInput::Measured { file, rail, .. } => {
+            files(file).map_or(Vec::new(), |text| of_profile(file, &text, *rail))
         }
         _ => Vec::new(),
     }
 }
 
-fn of_profile(file: &str, text: &str) -> Vec<Concern> {
-    let (Ok(columns), Ok(profile)) = (columns::read(text), measured(text)) else { return Vec::new() };
+fn of_profile(file: &str, text: &str, rail: Option<Rail>) -> Vec<Concern> {
+    let (Ok(columns), Ok(profile)) = (rail_columns(text, rail), measured_rail(text, rail)) else {
+        return Vec::new();
+    };
     let rms = profile.rms();
     let rough = (rms > HIGHEST).then(|| {
         Concern::new(

@@ -1,11 +1,12 @@
 //! Runs a case and leaves its results, whole or not at all.
 
 use super::folder::{self, FolderError, check_output};
+use super::sketch::sketch;
 use super::{Case, Verification, report};
 use crate::concern::Concern;
 use crate::dataset::{Attribute, Dataset, Group};
 use crate::output::plot::Picture;
-use crate::output::{OutputError, csv, hdf5, json, save};
+use crate::output::{OutputError, Report, ReportTable, csv, hdf5, json, save};
 use crate::progress::Observer;
 use crate::study::{Answer, Outcome, StudyError};
 use rayon::prelude::*;
@@ -73,7 +74,11 @@ pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result
         outcomes.push((study.name(), outcome));
     }
     let verification = Verification::run(case, &mut outcomes, observer);
-    let drawings = if options.pictures { draw(&mut outcomes) } else { Vec::new() };
+    let drawings = if options.pictures {
+        model(case).into_iter().chain(draw(&mut outcomes)).collect()
+    } else {
+        Vec::new()
+    };
     outcomes.iter_mut().for_each(|(_, outcome)| name_answers(outcome));
     let found = outcomes.iter().flat_map(|(_, o)| o.concerns.clone());
     let concerns: Vec<Concern> = case.concerns.iter().cloned().chain(found).collect();
@@ -110,6 +115,13 @@ struct Drawing {
     title: String,
     caption: String,
     picture: Picture,
+}
+
+/// Train, track and ground, drawn.
+fn model(case: &Case) -> Option<Drawing> {
+    let (figure, caption) = sketch(&case.railway);
+    let picture = Picture::of(&figure).ok()?;
+    Some(Drawing { name: figure.name().to_owned(), title: figure.title().to_owned(), caption, picture })
 }
 
 /// Every figure, drawn once for its files and the report; one that cannot be drawn is a concern of its study.
@@ -168,18 +180,110 @@ fn write(
         attributes.push(("source".into(), source.clone().into()));
     }
     attributes.extend(verification.map(Verification::attributes).into_iter().flatten());
+    write_arrays(attributes, outcomes, &drawings, csv_maps, folder)?;
+    json::write(&summary(case, outcomes, verification, concerns), &folder.join("summary.json"))?;
+    let figures = drawings.into_iter().map(|d| (d.title, d.caption, d.picture.svg)).collect();
+    let html = report::report(case, outcomes, verification, concerns, figures).html();
+    Ok(save(&folder.join("report.html"), html.as_bytes())?)
+}
+
+/// `results.h5`, a table of each group, the pictures.
+fn write_arrays(
+    attributes: Vec<(String, Attribute)>,
+    outcomes: &[(&'static str, Outcome)],
+    drawings: &[Drawing],
+    csv_maps: bool,
+    folder: &Path,
+) -> Result<(), RunError> {
     let groups = outcomes.iter().map(|(_, o)| o.group.clone()).collect();
     hdf5::write(&Dataset { attributes, groups }, &folder.join("results.h5"))?;
     for (_, outcome) in outcomes {
         csv::write(&outcome.group, folder, csv_maps)?;
     }
-    for drawing in &drawings {
+    for drawing in drawings {
         drawing.picture.write(&drawing.name, folder)?;
     }
-    json::write(&summary(case, outcomes, verification, concerns), &folder.join("summary.json"))?;
-    let figures = drawings.into_iter().map(|d| (d.title, d.caption, d.picture.svg)).collect();
-    let html = report::report(case, outcomes, verification, concerns, figures).html();
-    Ok(save(&folder.join("report.html"), html.as_bytes())?)
+    Ok(())
+}
+
+/// What stands in the report of something that is no case: a record, a comparison.
+pub(super) struct Page {
+    /// Title of the report.
+    pub title: String,
+    /// What it was made of.
+    pub input: String,
+    /// What is taken for granted.
+    pub assumptions: Vec<String>,
+    /// Tables.
+    pub tables: Vec<ReportTable>,
+}
+
+/// Leaves `outcome`, which is of no case, in a folder as [`run`] leaves a case.
+///
+/// # Errors
+/// A folder that cannot be made, a file that cannot be written; then nothing is left behind.
+pub(super) fn leave(
+    name: &'static str,
+    outcome: Outcome,
+    page: Page,
+    options: &RunOptions,
+) -> Result<Summary, RunError> {
+    let out = check_output(&options.out, options.overwrite)?;
+    let mut outcomes = [(name, outcome)];
+    let drawings = if options.pictures { draw(&mut outcomes) } else { Vec::new() };
+    name_answers(&mut outcomes[0].1);
+    let concerns = outcomes[0].1.concerns.clone();
+    let attributes: Vec<(String, Attribute)> = vec![
+        ("Conventions".into(), "CF-1.8".into()),
+        ("title".into(), page.title.clone().into()),
+        ("program".into(), "groundwave".into()),
+        ("version".into(), env!("CARGO_PKG_VERSION").into()),
+        ("concerns".into(), serde_json::json!(concerns).to_string().into()),
+    ];
+    let staging = folder::stage(&out)?;
+    let folder = staging.path();
+    write_arrays(attributes, &outcomes, &drawings, options.csv_maps, folder)?;
+    let mut root = serde_json::Map::new();
+    root.insert("program".into(), "groundwave".into());
+    root.insert("version".into(), env!("CARGO_PKG_VERSION").into());
+    root.insert("title".into(), page.title.clone().into());
+    insert_answers(&mut root, &outcomes);
+    root.insert("concerns".into(), serde_json::json!(concerns));
+    json::write(&root.into(), &folder.join("summary.json"))?;
+    let only_in_hdf5 = if options.csv_maps { Vec::new() } else { maps(&outcomes) };
+    let [(_, Outcome { answers, .. })] = outcomes;
+    let html = Report {
+        title: page.title,
+        version: env!("CARGO_PKG_VERSION").into(),
+        answers: answers.iter().map(|a| (a.what.clone(), a.shown.clone())).collect(),
+        figures: drawings.into_iter().map(|d| (d.title, d.caption, d.picture.svg)).collect(),
+        tables: page.tables,
+        case_text: page.input,
+        assumptions: page.assumptions,
+        concerns: concerns.clone(),
+        ..Report::default()
+    };
+    save(&folder.join("report.html"), html.html().as_bytes())?;
+    let files = folder::sign(folder)?;
+    folder::install(staging, &out)?;
+    Ok(Summary { answers: vec![(name, answers)], verification: None, concerns, only_in_hdf5, files })
+}
+
+/// The answers of each study, and their units, as `summary.json` has them.
+fn insert_answers(
+    root: &mut serde_json::Map<String, serde_json::Value>,
+    outcomes: &[(&'static str, Outcome)],
+) {
+    let mut units = serde_json::Map::new();
+    for (name, outcome) in outcomes {
+        let numbers: serde_json::Map<_, _> =
+            outcome.answers.iter().map(|a| (a.key.clone(), a.value.into())).collect();
+        let of: serde_json::Map<_, _> =
+            outcome.answers.iter().map(|a| (a.key.clone(), a.unit.into())).collect();
+        root.insert((*name).into(), numbers.into());
+        units.insert((*name).into(), of.into());
+    }
+    root.insert("units".into(), units.into());
 }
 
 /// `summary.json`: one object per study with its answers as plain SI numbers, their units beside them.
@@ -196,16 +300,7 @@ fn summary(
     if let Some(source) = &case.source {
         root.insert("source".into(), source.clone().into());
     }
-    let mut units = serde_json::Map::new();
-    for (name, outcome) in outcomes {
-        let numbers: serde_json::Map<_, _> =
-            outcome.answers.iter().map(|a| (a.key.clone(), a.value.into())).collect();
-        let of: serde_json::Map<_, _> =
-            outcome.answers.iter().map(|a| (a.key.clone(), a.unit.into())).collect();
-        root.insert((*name).into(), numbers.into());
-        units.insert((*name).into(), of.into());
-    }
-    root.insert("units".into(), units.into());
+    insert_answers(&mut root, outcomes);
     if let Some(verification) = verification {
         root.insert("verification".into(), verification.json());
     }

@@ -2,10 +2,14 @@
 //!
 //! The file is long because it is that list, whole and in one place.
 
-use super::values::{Named, Range, Speed};
+use super::about::About;
+use super::assessment::{AssessmentInput, TransferInput};
+use super::roughness_table::RoughnessTable;
+use super::values::{Named, Range, SpanInput};
+use crate::assessment::{Guide, Reference};
 use crate::field::Quantity;
 use crate::foundation::{FoundationModel, Springs};
-use crate::irregularity::{Defect, Order, Spectrum};
+use crate::irregularity::{Defect, Order, Rail, Spectrum};
 use crate::rail::fem::Ends;
 use crate::rail::{DecayRate, Method};
 use crate::soil::dispersion::SurfaceWave;
@@ -24,12 +28,15 @@ pub struct CaseInput {
     pub title: String,
     /// Where the numbers come from.
     pub source: Option<String>,
+    /// For whom the report is, and by whom.
+    pub report: Option<About>,
     /// Layered ground, or the name of a library soil.
     pub soil: Option<Named<SoilInput>>,
     /// Springs instead of ground.
     #[schemars(with = "Option<FoundationModel>")]
     pub foundation: Option<Springs>,
-    /// The track, or the name of a library track.
+    /// The track, or the name of a library track, or such a track by its `library` with other keys changed.
+    #[schemars(with = "Option<TrackChoice>")]
     pub track: Option<Named<TrackInput>>,
     /// The train, or the name of a library vehicle.
     pub train: Option<Named<TrainInput>>,
@@ -41,6 +48,8 @@ pub struct CaseInput {
     pub track_response: Option<TrackResponseInput>,
     /// Maps of the ground's surface.
     pub contour: Option<ContourInput>,
+    /// Displacements, strains and stresses of the ground below the surface.
+    pub ground_at_depth: Option<GroundAtDepthInput>,
     /// Rail and ground under a standing harmonic load.
     pub receptance: Option<ReceptanceInput>,
     /// How fast vibration dies away along the rail.
@@ -105,6 +114,8 @@ pub struct SolversInput {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MaterialInput {
+    /// Its name in reports: "soft clay".
+    pub name: Option<String>,
     /// h [m] (layers only)
     pub thickness: Option<f64>,
     /// E [Pa]
@@ -160,6 +171,25 @@ pub struct TrackInput {
     pub track: Track,
 }
 
+/// `track`
+#[derive(JsonSchema)]
+#[schemars(untagged)]
+#[expect(dead_code, reason = "what a library track is changed to is read as a whole track")]
+enum TrackChoice {
+    /// By name.
+    Name(String),
+    /// Written out.
+    Table(Box<TrackInput>),
+    /// A library track with other keys.
+    Changed {
+        /// Its name, or a TOML file beside the case.
+        library: String,
+        /// Keys of [track] that differ.
+        #[serde(flatten)]
+        changes: serde_json::Map<String, serde_json::Value>,
+    },
+}
+
 /// `track.support`
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -206,15 +236,17 @@ pub struct TrainInput {
     pub source: Option<String>,
     /// Axles.
     pub axles: Option<Vec<Axle>>,
-    /// A library vehicle instead of axles.
-    pub vehicle: Option<String>,
-    /// How many of them in a row.
+    /// A library vehicle instead of axles, or several of them one behind the other, [[train.vehicle]].
+    pub vehicle: Option<VehiclesInput>,
+    /// How many of them in a row; how often the whole list.
     pub count: Option<usize>,
     /// Runs the other way: the last axle leads.
     #[serde(default)]
     pub reversed: bool,
     /// Length over couplers [m], the distance at which `count` repeats the vehicle.
     pub length: Option<f64>,
+    /// From the front over couplers to the first axle [m], where vehicles differ; by default as much as from the last axle to the rear.
+    pub overhang: Option<f64>,
     /// Which bodies follow a rough rail, where dynamics are wanted.
     pub model: Option<VehicleModel>,
     /// Unsprung mass of each wheelset [kg] of the model "unsprung".
@@ -233,12 +265,42 @@ pub struct TrainInput {
     pub wheel_rail: Option<WheelRailInput>,
 }
 
+/// `train.vehicle`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(expecting = "the name of a library vehicle, or a list [[train.vehicle]] of them")]
+#[schemars(untagged)]
+pub enum VehiclesInput {
+    /// By name.
+    #[serde(rename = "$text")]
+    One(String),
+    /// One behind the other.
+    #[serde(rename = "$list")]
+    Several(Vec<VehicleInput>),
+}
+
+/// `[[train.vehicle]]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct VehicleInput {
+    /// A library vehicle, or a TOML file beside the case.
+    pub name: String,
+    /// How many of them in a row; 1 by default.
+    pub count: Option<usize>,
+    /// Runs the other way: its last axle leads.
+    #[serde(default)]
+    pub reversed: bool,
+    /// Length over couplers [m], if the vehicle itself does not say.
+    pub length: Option<f64>,
+}
+
 /// `[critical_speed]`
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CriticalSpeedInput {
-    /// v, ascending.
-    pub speeds: Range<Speed>,
+    /// v [m/s], ascending.
+    pub speeds: Range<f64>,
+    /// At which trains are to run [m/s]: amplification there, and its share of the critical speed.
+    pub line_speed: Option<f64>,
 }
 
 /// `[dispersion]`
@@ -251,14 +313,28 @@ pub struct DispersionInput {
     pub modes: Option<usize>,
     /// Which waves; Rayleigh by default.
     pub wave: Option<SurfaceWave>,
+    /// How the ground moves over depth in each mode.
+    pub shapes: Option<ShapesInput>,
+}
+
+/// `[dispersion.shapes]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ShapesInput {
+    /// f [Hz], above zero, ascending.
+    pub frequencies: Range<f64>,
+    /// Depths [m] below the surface, ascending.
+    pub z: Range<f64>,
 }
 
 /// `[track_response]`
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TrackResponseInput {
-    /// v
-    pub speeds: Range<Speed>,
+    /// v [m/s]
+    pub speeds: Range<f64>,
+    /// At which trains are to run [m/s]: added to the speeds, with the amplification there on a track without separate supports.
+    pub line_speed: Option<f64>,
     /// x′ [m]; by default 40 m behind the train to 20 m ahead of it.
     pub x: Option<SpanInput>,
     /// Spacing [m], 0.1 by default, 0.02 over supports.
@@ -286,8 +362,8 @@ pub struct TrackResponseInput {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeasuredInput {
-    /// Speed the record belongs to.
-    pub speed: Speed,
+    /// Speed the record belongs to [m/s].
+    pub speed: f64,
     /// CSV file beside the case: a header line, then x′ (positive ahead) and deflection (positive down), in m or
     /// the units of the header, such as [mm].
     pub file: String,
@@ -295,22 +371,12 @@ pub struct MeasuredInput {
     pub label: String,
 }
 
-/// From one position to another.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct SpanInput {
-    /// [m]
-    pub from: f64,
-    /// [m]
-    pub to: f64,
-}
-
 /// `[contour]`
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ContourInput {
-    /// v
-    pub speeds: Range<Speed>,
+    /// v [m/s]
+    pub speeds: Range<f64>,
     /// x′ [m], positive ahead of the leading axle.
     pub x: SpanInput,
     /// y [m], from the centre line of the track.
@@ -321,6 +387,24 @@ pub struct ContourInput {
     pub quantities: Option<Vec<Quantity>>,
     /// Distance to the periodic images [m]; by default from damping and wavelength.
     pub clearance: Option<f64>,
+}
+
+/// `[ground_at_depth]`
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct GroundAtDepthInput {
+    /// v [m/s]; the train at rest is computed as well, and alone where this is left out.
+    pub speeds: Option<Range<f64>>,
+    /// Depths [m] below the surface, ascending, from 0.05 m.
+    pub z: Range<f64>,
+    /// Distances [m] from the centre line of the track; 0 by default.
+    pub y: Option<Range<f64>>,
+    /// x′ [m], positive ahead of the leading axle; from 10 m behind the train to 10 m ahead of it by default.
+    pub x: Option<SpanInput>,
+    /// Along x′ [m]; 0.25 by default.
+    pub spacing: Option<f64>,
+    /// Cyclic shear strain from which on the soil softens; 1e-4 by default.
+    pub threshold_strain: Option<f64>,
 }
 
 /// `[receptance]`
@@ -429,9 +513,11 @@ pub struct WheelRailInput {
 pub enum IrregularityInput {
     /// A measured profile of the rail.
     Measured {
-        /// CSV file beside the case: a header line, then x and r (positive down), in m or the units of
-        /// the header, such as [mm].
+        /// CSV file beside the case: a header line, then x and r (positive down), or x and the heights of the left and the right rail,
+        /// in m or the units of the header, such as [mm].
         file: String,
+        /// Of a file with both rails; their mean by default.
+        rail: Option<Rail>,
         /// x of the profile abreast of the receivers, or at x = 0 of a passage [m]; its middle by default.
         abreast: Option<f64>,
         /// Shortest and longest wavelength [m]; all of the profile by default.
@@ -456,6 +542,8 @@ pub enum IrregularityInput {
         /// Of the wheels' angles, 1 by default.
         seed: Option<u64>,
     },
+    /// Profiles with a spectrum of one's own.
+    Table(RoughnessTable),
     /// Profiles with a published spectrum.
     #[serde(rename = "$other")]
     #[schemars(untagged)]
@@ -477,24 +565,32 @@ pub enum IrregularityInput {
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FreeFieldInput {
-    /// v
-    pub speed: Speed,
+    /// v [m/s]
+    pub speed: f64,
     /// Distances from the centre line of the track [m], ascending.
     pub receivers: Vec<f64>,
     /// T [s], over which the energy of the pass is averaged; by default train length and twice the farthest receiver over v.
     pub passage_time: Option<f64>,
     /// Bands from the one with the lower to the one with the upper frequency [Hz]; 1 to 80 Hz by default.
     pub frequencies: Option<SpanInput>,
+    /// Standards whose measures are told and whose guide values are drawn; all by default.
+    pub guide: Option<Vec<Guide>>,
+    /// Reference of a decibel axis for pictures of third octaves: "1e-9 m/s", "5e-8 m/s" or "vdb"; velocities by default.
+    pub levels: Option<Reference>,
+    /// Passes of whole days.
+    pub assessment: Option<AssessmentInput>,
+    /// From the ground into a building, by tables: estimates.
+    pub transfer: Option<TransferInput>,
 }
 
 /// `[passage]`
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PassageInput {
-    /// v
-    pub speed: Option<Speed>,
-    /// Several of them instead.
-    pub speeds: Option<Range<Speed>>,
+    /// v [m/s]
+    pub speed: Option<f64>,
+    /// Several of them instead [m/s].
+    pub speeds: Option<Range<f64>>,
     /// Where the leading axle stands at first [m], x as its supports have it: one at 0, or the first change of section.
     pub from: f64,
     /// Where it stands at last [m].

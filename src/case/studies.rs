@@ -1,24 +1,26 @@
 //! Study tables → studies, with every fault at its key.
 
+use super::assessment::{assessment, building};
 use super::checks::{ascending, distinct, receivers, window};
 use super::error::Finding;
+use super::ground_at_depth::ground_at_depth;
 use super::irregularity;
 use super::passage::passage;
 use super::rail_studies::{decay_rate, receptance, track_response, transition};
-use super::ranges::{NOT_NEGATIVE, POSITIVE, numbers, speeds};
+use super::ranges::{NOT_NEGATIVE, POSITIVE, line_speed, numbers, speeds};
 use super::schema::{
     CaseInput, ContourInput, CriticalSpeedInput, DispersionInput, EquivalentStiffnessInput, FreeFieldInput,
     SoilInput, SurfaceComplianceInput,
 };
-use super::train::Wheels;
 use super::values::{Named, Range};
+use super::vehicle::Wheels;
 use crate::assessment::Band;
 use crate::field::Quantity;
 use crate::quantity::positive;
 use crate::soil::{Solver, ThinLayer};
 use crate::study::{
-    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Irregularity, Roughness, Study,
-    SurfaceComplianceTable,
+    Contour, CriticalSpeed, Dispersion, EquivalentStiffness, FreeField, Irregularity, Roughness, ShapesAt,
+    Study, SurfaceComplianceTable,
 };
 use crate::track::Rails;
 use std::collections::BTreeSet;
@@ -61,7 +63,15 @@ fn dispersion(input: &DispersionInput) -> Result<Dispersion, Finding> {
         let message = format!("modes is {modes}: it must lie between 1 and {MOST_MODES}");
         return Err(Finding::new("dispersion.modes", message));
     }
-    Ok(Dispersion { frequencies, modes, wave: input.wave.unwrap_or_default() })
+    let shapes = input.shapes.as_ref().map(|input| {
+        let frequencies = numbers(&input.frequencies, "dispersion.shapes.frequencies", "Hz", AUDIBLE)?;
+        ascending(&frequencies, "dispersion.shapes.frequencies")?;
+        let depths = numbers(&input.z, "dispersion.shapes.z", "m", NOT_NEGATIVE)?;
+        ascending(&depths, "dispersion.shapes.z")?;
+        distinct(&frequencies, "dispersion.shapes.frequencies", "Hz")?;
+        Ok(ShapesAt { frequencies, depths })
+    });
+    Ok(Dispersion { frequencies, modes, wave: input.wave.unwrap_or_default(), shapes: shapes.transpose()? })
 }
 
 /// Farthest receiver of a free field [m].
@@ -72,9 +82,13 @@ const SLOWEST: f64 = 1.0;
 const LONGEST_PASSAGE: f64 = 3600.0;
 
 /// The free field, still of a smooth rail.
-fn free_field(input: &FreeFieldInput, case: &CaseInput) -> Result<FreeField, Finding> {
+fn free_field(
+    input: &FreeFieldInput,
+    case: &CaseInput,
+    files: &dyn Fn(&str) -> Result<String, String>,
+) -> Result<FreeField, Finding> {
     let speed = speeds(&Range::List(vec![input.speed]), "free_field.speed").map_err(|_| {
-        Finding::new("free_field.speed", format!("{} m/s: it must be above zero", input.speed.0))
+        Finding::new("free_field.speed", format!("{} m/s: it must be above zero", input.speed))
     })?[0];
     if speed < SLOWEST {
         let message = format!("{speed} m/s: it must be above zero, and at least {SLOWEST} m/s");
@@ -107,7 +121,10 @@ fn free_field(input: &FreeFieldInput, case: &CaseInput) -> Result<FreeField, Fin
     // a case that says nothing of solvers gets the quick one where it matters
     let named = |soil: &Named<SoilInput>| matches!(soil, Named::Table(table) if table.solver.is_some());
     let sections = (!case.soil.as_ref().is_some_and(named)).then(|| Solver::ThinLayer(ThinLayer::default()));
-    Ok(FreeField { speed, receivers, passage_time, bands, roughness: None, sections })
+    let whole = input.assessment.as_ref();
+    let assessment = assessment(input.guide.as_ref(), input.levels, whole, input.receivers.len())?;
+    let building = building(input.transfer.as_ref(), files)?;
+    Ok(FreeField { speed, receivers, passage_time, bands, roughness: None, sections, assessment, building })
 }
 
 /// The wheels on an irregular rail.
@@ -123,7 +140,8 @@ fn roughness(irregularity: Irregularity, wheels: Option<&Wheels>) -> Result<Roug
                 .help("add wheel_rail.stiffness [N/m per wheelset] or wheel_rail.radius [m]"))
         }
         Some(Wheels { bodies: Some(bodies), contact: Some(contact), .. }) => {
-            Ok(Roughness { bodies: bodies.clone(), contact: *contact, irregularity })
+            let contact = contact.iter().map(|spring| spring.stiffness).collect();
+            Ok(Roughness { bodies: bodies.clone(), contact, irregularity })
         }
     }
 }
@@ -131,7 +149,8 @@ fn roughness(irregularity: Irregularity, wheels: Option<&Wheels>) -> Result<Roug
 fn critical_speed(input: &CriticalSpeedInput) -> Result<CriticalSpeed, Finding> {
     let speeds = speeds(&input.speeds, "critical_speed.speeds")?;
     ascending(&speeds, "critical_speed.speeds")?;
-    Ok(CriticalSpeed { speeds })
+    let line_speed = line_speed(input.line_speed, "critical_speed.line_speed")?;
+    Ok(CriticalSpeed { speeds, line_speed })
 }
 
 fn equivalent_stiffness(input: &EquivalentStiffnessInput) -> Result<EquivalentStiffness, Finding> {
@@ -142,18 +161,23 @@ fn equivalent_stiffness(input: &EquivalentStiffnessInput) -> Result<EquivalentSt
 }
 
 fn surface_compliance(input: &SurfaceComplianceInput) -> Result<SurfaceComplianceTable, Finding> {
-    Ok(SurfaceComplianceTable {
-        k: numbers(&input.k, "surface_compliance.k", "rad/m", POSITIVE)?,
-        frequencies: numbers(&input.frequencies, "surface_compliance.frequencies", "Hz", NOT_NEGATIVE)?,
-    })
+    let k = numbers(&input.k, "surface_compliance.k", "rad/m", NOT_NEGATIVE)?;
+    let frequencies = numbers(&input.frequencies, "surface_compliance.frequencies", "Hz", NOT_NEGATIVE)?;
+    if k.contains(&0.0) && frequencies.contains(&0.0) {
+        let message =
+            "k = 0 and f = 0 together: a half-space bears no load that reaches everywhere and lasts";
+        return Err(Finding::new("surface_compliance.k", message).help("remove one of the two zeros"));
+    }
+    Ok(SurfaceComplianceTable { k, frequencies })
 }
 
 /// Names of the tables that ask for something.
-const STUDIES: [&str; 11] = [
+const STUDIES: [&str; 12] = [
     "critical_speed",
     "dispersion",
     "track_response",
     "contour",
+    "ground_at_depth",
     "receptance",
     "decay_rate",
     "transition",
@@ -180,18 +204,19 @@ pub fn studies(
     };
     let on_rail = rough.as_ref().and_then(|rough| rough.as_ref().ok());
     let free = |study| {
-        let smooth = free_field(study, input)?;
+        let smooth = free_field(study, input, files)?;
         Ok(Study::FreeField(Box::new(FreeField { roughness: on_rail.cloned(), ..smooth })))
     };
     let passing = |study| {
         let uneven = irregularity.as_ref().and_then(|i| i.as_ref().ok()).cloned();
         passage(study, wheels.flatten(), uneven, rails).map(|passage| Study::Passage(Box::new(passage)))
     };
-    let asked: [Option<Result<Study, Finding>>; 11] = [
+    let asked: [Option<Result<Study, Finding>>; 12] = [
         input.critical_speed.as_ref().map(|s| critical_speed(s).map(Study::CriticalSpeed)),
         input.dispersion.as_ref().map(|s| dispersion(s).map(Study::Dispersion)),
         input.track_response.as_ref().map(|s| track_response(s, files).map(Study::TrackResponse)),
         input.contour.as_ref().map(|s| contour(s).map(Study::Contour)),
+        input.ground_at_depth.as_ref().map(|s| ground_at_depth(s).map(Study::GroundAtDepth)),
         input.receptance.as_ref().map(|s| receptance(s, files).map(Study::Receptance)),
         input.decay_rate.as_ref().map(|s| decay_rate(s, files).map(Study::DecayRate)),
         input.transition.as_ref().map(|s| transition(s).map(Study::Transition)),

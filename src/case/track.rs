@@ -1,9 +1,11 @@
 //! `[track]` → stack and contact, with every fault at its key.
 
+use super::changed::overlay;
 use super::error::Finding;
 use super::loader::Resolved;
 use super::read;
 use super::schema::{LoadInput, SupportInput, TrackInput};
+use super::units::METRE;
 use crate::quantity::positive;
 use crate::railway::Contact;
 use crate::track::{Layout, Rails, Section, Stack, Supports, Track, TrackError};
@@ -22,10 +24,18 @@ fn load(input: LoadInput, path: &str) -> Result<Contact, Finding> {
 }
 
 /// Why a track cannot be built, at its key; `at` is the path of a key of the table at `path`.
-fn fault(error: TrackError, path: &str, at: impl Fn(&str) -> String) -> Finding {
+fn fault(error: TrackError, path: &str, at: &dyn Fn(&str) -> String) -> Finding {
     const SPEEDS: &str = "give wave_speed, or density (with poisson for the constrained modulus)";
     match error {
         TrackError::OutOfRange(error) => Finding::out_of_range(path, error),
+        TrackError::SubBallast(error) => {
+            let table = at("sub_ballast");
+            let mut finding = fault(*error, path, &at);
+            finding.path = finding.path.replacen(&at("ballast"), &table, 1);
+            finding
+        }
+        TrackError::SpacingMissing => Finding::new(path, error)
+            .help("add sleeper.spacing or support.spacing, or spacing beside the piece [m]"),
         TrackError::ContactWidth => Finding::new(at("ballast"), error).help("add track.contact.half_width"),
         TrackError::WaveSpeedMissing => Finding::new(at("ballast"), error).help(SPEEDS),
         TrackError::WaveSpeedTwice => Finding::new(at("ballast.wave_speed"), error).help(SPEEDS),
@@ -112,7 +122,15 @@ pub enum Carried {
 fn layout(input: &TrackInput, path: &str, on: Carried) -> Result<Layout, Finding> {
     let at = |rest: &str| if path.is_empty() { rest.to_owned() } else { format!("{path}.{rest}") };
     let half_width = input.contact.map(|strip| strip.half_width);
-    let stack = input.track.stack(half_width).map_err(|error| fault(error, path, at))?;
+    let track = match (input.support, input.track.spacing()) {
+        (Some(SupportInput { spacing, .. }), Some(own)) if own != spacing => {
+            let message = format!("sleepers {own} m apart on supports {spacing} m apart");
+            return Err(Finding::new(at("sleeper.spacing"), message).help("remove it: supports are sleepers"));
+        }
+        (Some(SupportInput { spacing, .. }), None) => input.track.spaced(spacing),
+        _ => input.track,
+    };
+    let stack = track.stack(half_width).map_err(|error| fault(error, path, &at))?;
     let between = input.track.between();
     let Some(SupportInput { spacing, width }) = input.support else {
         return match between {
@@ -154,7 +172,7 @@ fn layout(input: &TrackInput, path: &str, on: Carried) -> Result<Layout, Finding
     }
     Supports::new(&stack, spacing, width, between)
         .map(Layout::Discrete)
-        .map_err(|error| fault(error, path, at))
+        .map_err(|error| fault(error, path, &at))
 }
 
 /// The sections of `[track]`: its own table with what each changes.
@@ -166,7 +184,7 @@ fn sections(resolved: &Resolved<TrackInput>, on: Carried) -> Result<Vec<Section>
         ));
     }
     let unread = |error: &dyn std::fmt::Display| Finding::new(resolved.at(""), error);
-    let document: toml::Table = resolved.text.parse().map_err(|error: toml::de::Error| unread(&error))?;
+    let document: toml::Table = resolved.read.parse().map_err(|error: toml::de::Error| unread(&error))?;
     let mut own = match resolved.prefix.as_str() {
         "" => document,
         prefix => match document.get(prefix) {
@@ -181,6 +199,18 @@ fn sections(resolved: &Resolved<TrackInput>, on: Carried) -> Result<Vec<Section>
         section(&own, change, &path, (i == 0 || i + 1 == changes.len(), on))
     })
     .collect()
+}
+
+/// The length [m] that `value` says at `at`.
+fn metres(value: &toml::Value, at: &str) -> Result<f64, Finding> {
+    match value {
+        toml::Value::Float(length) => Ok(*length),
+        toml::Value::Integer(length) => Ok(*length as f64),
+        toml::Value::String(text) => {
+            METRE.read(text).map_err(|(message, help)| Finding::new(at, message).help(help))
+        }
+        other => Err(Finding::new(at, format!("found {other}, wanted a number"))),
+    }
 }
 
 /// One section: the keys of `own` as `change`d, at `path`; `endless` ones have no length.
@@ -204,7 +234,7 @@ fn section(
     let text = table.to_string();
     let below = |finding: Finding| finding.below(path);
     let document = toml::de::DeTable::parse(&text).map_err(|error| Finding::new(path, error))?.into_inner();
-    let input: TrackInput = read::of_table(&document).map_err(below)?;
+    let input: TrackInput = read::of_table(&document, "track").map_err(below)?;
     let supports = match layout(&input, "", on).map_err(below)? {
         Layout::Discrete(supports) => supports,
         _ => {
@@ -214,12 +244,7 @@ fn section(
         }
     };
     let at = format!("{path}.length");
-    let length = match length {
-        None => None,
-        Some(toml::Value::Float(length)) => Some(length),
-        Some(toml::Value::Integer(length)) => Some(length as f64),
-        Some(other) => return Err(Finding::new(at, format!("found {other}, wanted a number"))),
-    };
+    let length = length.map(|length| metres(&length, &at)).transpose()?;
     let bays = match (endless, length) {
         (true, None) => None,
         (true, Some(_)) => {
@@ -241,22 +266,4 @@ fn section(
         }
     };
     Ok(Section { bays, supports })
-}
-
-/// `change` laid over `table` key by key; a table of another kind, or of another element, replaces.
-fn overlay(table: &mut toml::Table, change: toml::Table) {
-    for (key, value) in change {
-        match (table.get_mut(&key), value) {
-            (Some(toml::Value::Table(old)), toml::Value::Table(new))
-                if !new.contains_key("kind")
-                    && !new.contains_key("element")
-                    && !new.contains_key("section") =>
-            {
-                overlay(old, new);
-            }
-            (_, value) => {
-                table.insert(key, value);
-            }
-        }
-    }
 }

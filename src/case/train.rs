@@ -1,82 +1,14 @@
 //! `[train]` → axle loads, the bodies on them and their contact with the rail, with every fault at its key.
 
+use super::consist;
 use super::error::CaseError;
-use super::loader::{Loader, Resolved};
-use super::schema::TrainInput;
+use super::loader::Loader;
+use super::schema::{TrainInput, VehicleInput, VehiclesInput};
 use super::values::Named;
-use crate::quantity::positive;
-use crate::vehicle::{Axle, BodyError, FourAxle, Hertz, Multibody, Train, VehicleError, VehicleModel};
-
-/// Longest train [m] and heaviest axle [N] a case may ask for.
-const LONGEST_TRAIN: f64 = 2000.0;
-const HEAVIEST_AXLE: f64 = 1e8;
-
-/// What of the train the dynamics need.
-#[derive(Default)]
-pub struct Wheels {
-    /// Bodies of the whole train, on the axles of [`Train`].
-    pub bodies: Option<Multibody>,
-    /// k_H of each wheelset [N/m].
-    pub contact: Option<f64>,
-    /// Between the first and the last axle [m].
-    pub length: f64,
-}
-
-type Place = Resolved<TrainInput>;
-
-/// Keys of a vehicle on two bogies, and whether they are there.
-fn parts(table: &TrainInput) -> [(&'static str, bool); 5] {
-    [
-        ("body", table.body.is_some()),
-        ("bogie", table.bogie.is_some()),
-        ("wheelset", table.wheelset.is_some()),
-        ("primary", table.primary.is_some()),
-        ("secondary", table.secondary.is_some()),
-    ]
-}
-
-/// The key a fault of a constructor names.
-fn key(error: &BodyError) -> &'static str {
-    match error {
-        BodyError::OutOfRange(error) => error.key,
-        BodyError::Offset { .. } => "length",
-        BodyError::BogiesOverlap { .. } => "bogie.wheelbase",
-    }
-}
-
-/// A fault of a constructor, at its key.
-fn body_fault(place: &Place, error: &BodyError) -> CaseError {
-    place.fault(key(error), error)
-}
-
-/// `value` at `key` of `place`, if finite and above zero.
-fn above_zero(place: &Place, key: &'static str, value: f64, unit: &'static str) -> Result<f64, CaseError> {
-    positive(key, value, unit).map_err(|e| place.fault(key, e))
-}
-
-/// The vehicle on two bogies of `vehicle`, if it has one.
-fn four_axle(vehicle: &Place) -> Result<Option<FourAxle>, CaseError> {
-    let table = &vehicle.table;
-    let (Some(body), Some(bogie), Some(wheelset), Some(primary), Some(secondary)) =
-        (table.body, table.bogie, table.wheelset, table.primary, table.secondary)
-    else {
-        let there = parts(table);
-        let Some((given, _)) = there.iter().find(|part| part.1) else { return Ok(None) };
-        let missing: Vec<&str> = there.iter().filter(|part| !part.1).map(|part| part.0).collect();
-        let message = format!("a vehicle on two bogies also needs {}", missing.join(", "));
-        return Err(vehicle.advise(given, message, "its keys: body, bogie, wheelset, primary, secondary"));
-    };
-    if table.axles.is_some() {
-        let message = "axles beside a vehicle on two bogies, which brings its own";
-        return Err(vehicle.advise(
-            "axles",
-            message,
-            "remove axles, or body, bogie, wheelset, primary, secondary",
-        ));
-    }
-    let four = FourAxle { body, bogie, wheelset, primary, secondary };
-    four.checked().map(Some).map_err(|e| body_fault(vehicle, &e))
-}
+use super::vehicle::{
+    Place, Wheels, above_zero, body_fault, contact, four_axle, loads, model_has_its_parts, reasonable,
+};
+use crate::vehicle::{Axle, FourAxle, Multibody, Train, VehicleModel};
 
 /// Places of `count` vehicles behind the first [m].
 fn offsets(outer: &Place, vehicle: &Place) -> Result<Vec<f64>, CaseError> {
@@ -103,111 +35,22 @@ fn offsets(outer: &Place, vehicle: &Place) -> Result<Vec<f64>, CaseError> {
     Ok((0..count).map(|i| length * i as f64).collect())
 }
 
-/// Refuses slips of unit, which would run for hours.
-fn reasonable(axles: &[Axle], place: &Place, key: &str) -> Result<(), CaseError> {
-    let reach = axles.iter().map(|a| a.position.abs()).fold(0.0, f64::max);
-    if reach > LONGEST_TRAIN {
-        let message = format!("an axle stands {reach} m from the first: more than {LONGEST_TRAIN} m");
-        return Err(place.advise(key, message, "positions are in metres"));
-    }
-    if let Some(i) = axles.iter().position(|a| a.load > HEAVIEST_AXLE) {
-        let message =
-            format!("axle {} has a load of {} N: more than {HEAVIEST_AXLE} N", i + 1, axles[i].load);
-        return Err(place.advise(key, message, "loads are in newtons, masses in kilograms"));
-    }
-    Ok(())
-}
-
-fn loads(axles: Vec<Axle>, vehicle: &Place) -> Result<Train, CaseError> {
-    Train::new(axles).map_err(|error| {
-        let path = match &error {
-            VehicleError::NoLoad => "axles".to_owned(),
-            VehicleError::Load { index, .. } => format!("axles[{}].load", index - 1),
-            VehicleError::Position { index, .. } => format!("axles[{}].position", index - 1),
-        };
-        vehicle.fault(&path, error)
-    })
-}
-
-/// k_H of each wheelset [N/m] from the `wheel_rail` of `place`.
-fn contact(place: &Place, train: &Train) -> Result<Option<f64>, CaseError> {
-    let Some(input) = place.table.wheel_rail else { return Ok(None) };
-    match (input.stiffness, input.radius, input.tread) {
-        (Some(stiffness), None, None) => {
-            above_zero(place, "wheel_rail.stiffness", stiffness, "N/m").map(Some)
-        }
-        (None, Some(radius), tread) => {
-            let load = train.total_load() / train.axles().len() as f64;
-            Hertz::new(tread.unwrap_or_default(), radius)
-                .and_then(|hertz| hertz.wheelset_stiffness(load))
-                .map(Some)
-                .map_err(|e| place.fault(&format!("wheel_rail.{}", key(&e)), e))
-        }
-        (None, None, _) => Err(place.advise(
-            "wheel_rail",
-            "it has neither stiffness nor radius",
-            "add stiffness [N/m per wheelset] or radius [m]",
-        )),
-        (Some(_), _, _) => Err(place.advise(
-            "wheel_rail",
-            "stiffness stands alone: radius and tread belong to Hertz contact",
-            "give stiffness, or radius with tread",
-        )),
-    }
-}
-
-/// The vehicle a train names, which brings itself and nothing else.
-fn named_vehicle(loader: &Loader, outer: &Place) -> Result<Option<Place>, CaseError> {
-    let Some(name) = &outer.table.vehicle else { return Ok(None) };
-    if outer.table.axles.is_some() {
-        return Err(outer.advise("vehicle", "axles and vehicle are both given", "give one of them"));
-    }
-    if let Some((key, _)) = parts(&outer.table).iter().find(|part| part.1) {
-        let message = format!("{key} and vehicle are both given");
-        let help = "remove one of them; model, unsprung_mass and wheel_rail may stand beside a vehicle";
-        return Err(outer.advise(key, message, help));
-    }
-    let inner = loader.resolve(&Named::<TrainInput>::Name(name.clone()), "train.vehicle", "vehicles")?;
+/// The vehicle `name` of a train, which brings itself and nothing else; a list of vehicles stands as one.
+fn named_vehicle(loader: &Loader, outer: &Place, name: &str) -> Result<Place, CaseError> {
+    consist::alone(outer)?;
+    let inner =
+        loader.resolve(&Named::<TrainInput>::Name(name.to_owned()), &outer.at("vehicle"), "vehicles")?;
     let table = &inner.table;
+    let list = matches!(table.vehicle, Some(VehiclesInput::Several(_)));
     let twice = table.length.is_some() && outer.table.length.is_some();
-    if table.vehicle.is_some() || table.count.is_some() || table.reversed || twice {
+    if (table.vehicle.is_some() && !list) || table.count.is_some() || table.reversed || twice {
         return Err(outer.advise(
             "vehicle",
             "a vehicle brings its axles and length, nothing else",
             "say count and reversed in the case, length with the axles",
         ));
     }
-    Ok(Some(inner))
-}
-
-/// Refuses a model without what it needs, or with what it has already.
-fn model_has_its_parts(
-    (model, model_at): (Option<VehicleModel>, &Place),
-    (mass, mass_at): (Option<f64>, &Place),
-    bodies: bool,
-) -> Result<(), CaseError> {
-    if let Some(mass) = mass {
-        above_zero(mass_at, "unsprung_mass", mass, "kg")?;
-    }
-    let several = model.filter(|m| *m != VehicleModel::Unsprung);
-    match (several, model, bodies, mass) {
-        (Some(model), _, false, _) => {
-            let message =
-                format!("the model \"{}\" needs body, bogie, wheelset, primary and secondary", model.name());
-            let help = "add them, or say model = \"unsprung\" with unsprung_mass";
-            Err(model_at.advise("model", message, help))
-        }
-        (Some(model), _, true, Some(_)) => {
-            let message =
-                format!("the model \"{}\" takes the mass of its wheelsets from wheelset.mass", model.name());
-            Err(mass_at.advise("unsprung_mass", message, "remove it, or say model = \"unsprung\""))
-        }
-        (None, Some(_), false, None) => {
-            let message = "the model \"unsprung\" needs unsprung_mass";
-            Err(model_at.advise("model", message, "add it [kg per wheelset]"))
-        }
-        _ => Ok(()),
-    }
+    Ok(inner)
 }
 
 /// Vehicles of bodies at `offsets` [m], one behind the other.
@@ -273,7 +116,17 @@ fn of_axles(
 /// stands over what its vehicle says.
 pub fn train(loader: &Loader, named: &Named<TrainInput>) -> Result<(Train, Wheels), CaseError> {
     let outer = loader.resolve(named, "train", "vehicles")?;
-    let inner = named_vehicle(loader, &outer)?;
+    let inner = match &outer.table.vehicle {
+        None => None,
+        Some(VehiclesInput::One(name)) => Some(named_vehicle(loader, &outer, name)?),
+        Some(VehiclesInput::Several(list)) => return consist::train(loader, &outer, list),
+    };
+    if let (Some(VehiclesInput::One(name)), Some(Some(VehiclesInput::Several(_)))) =
+        (&outer.table.vehicle, inner.as_ref().map(|inner| &inner.table.vehicle))
+    {
+        let whole = VehicleInput { name: name.clone(), count: None, reversed: false, length: None };
+        return consist::train(loader, &outer, &[whole]);
+    }
     let vehicle = inner.as_ref().unwrap_or(&outer);
     let first = |there: fn(&TrainInput) -> bool| if there(&outer.table) { &outer } else { vehicle };
     let (model_at, mass_at, contact_at) = (
@@ -292,9 +145,10 @@ pub fn train(loader: &Loader, named: &Named<TrainInput>) -> Result<(Train, Wheel
         }
         None => of_axles(mass, &offsets, (&outer, vehicle))?,
     };
-    let contact = contact(contact_at, &train)?;
-    match (&bodies, contact, mass) {
-        (None, Some(_), _) => {
+    let spring = contact(contact_at, train.total_load() / train.axles().len() as f64)?;
+    match (&bodies, spring, mass) {
+        // a wheel of a library vehicle has a radius, whatever is asked
+        (None, Some(_), _) if !contact_at.prefix.is_empty() => {
             let message = "wheel_rail needs unsprung_mass";
             Err(contact_at.advise("", message, "add it [kg per wheelset], or a vehicle with a model"))
         }
@@ -305,6 +159,7 @@ pub fn train(loader: &Loader, named: &Named<TrainInput>) -> Result<(Train, Wheel
         )),
         _ => {
             let length = train.length();
+            let contact = spring.filter(|_| bodies.is_some()).map(|one| vec![one; train.axles().len()]);
             Ok((train, Wheels { bodies, contact, length }))
         }
     }

@@ -1,6 +1,8 @@
 //! What may be typed.
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use groundwave::assessment::{Area, Guide, Line};
 use std::path::PathBuf;
 
 /// Moving trains on layered ground: critical speed, track deflection, ground contours, vibration of the free field.
@@ -15,6 +17,10 @@ pub struct Arguments {
 pub enum Command {
     /// Run a case: answers on screen; HDF5, CSV, JSON, pictures and a report in a folder
     Run(RunArguments),
+    /// Assess a measured history: all measures of a free field, of velocities or accelerations in a CSV file
+    Assess(AssessArguments),
+    /// Compare two cases, or the folders of two runs: insertion loss, every answer, every curve
+    Compare(CompareArguments),
     /// Check a case without running it
     Check {
         /// Case file (TOML)
@@ -24,6 +30,11 @@ pub enum Command {
     List {
         /// Only these
         what: Option<Kind>,
+    },
+    /// Show an entry of the library: source, keys with their units, axle loads, wave speeds, stiffness
+    Show {
+        /// Its name, as `list` prints it
+        name: String,
     },
     /// Write a commented case file to start from
     New {
@@ -53,6 +64,56 @@ pub struct RunArguments {
     /// Write maps (ground contours, receptances around a load) as CSV tables too; they stand in results.h5 all the same
     #[arg(long)]
     pub csv_maps: bool,
+    /// Replace an existing output folder
+    #[arg(long)]
+    pub overwrite: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct CompareArguments {
+    /// Case file, or folder of an earlier run: what things were before
+    pub first: PathBuf,
+    /// Case file, or folder of an earlier run: what they are held against
+    pub second: PathBuf,
+    /// Output folder [default: results/<name of the second>_against_<name of the first>]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Draw no pictures
+    #[arg(long)]
+    pub no_pictures: bool,
+    /// Replace an existing output folder
+    #[arg(long)]
+    pub overwrite: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct AssessArguments {
+    /// CSV file: a header, then time [s] and velocity [mm/s] or acceleration [m/s²] in one to three directions
+    pub record: PathBuf,
+    /// Output folder [default: results/<name of the record>]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Standards, with commas between them [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = PossibleValuesParser::new(Guide::ALL.map(Guide::name)))]
+    pub guide: Vec<String>,
+    /// Like passes by day
+    #[arg(long, value_name = "N")]
+    pub day: Option<u32>,
+    /// Like passes by night
+    #[arg(long, value_name = "N")]
+    pub night: Option<u32>,
+    /// Kind of area, after DIN 4150-2
+    #[arg(long, default_value = "residential", value_parser = PossibleValuesParser::new(Area::ALL.map(Area::name)))]
+    pub area: String,
+    /// Kind of line, after DIN 4150-2
+    #[arg(long, default_value = "surface", value_parser = PossibleValuesParser::new(Line::ALL.map(Line::name)))]
+    pub line: String,
+    /// Draw no pictures
+    #[arg(long)]
+    pub no_pictures: bool,
+    /// Concerns about the result are failures: the results are written, the exit code is 1
+    #[arg(long)]
+    pub strict: bool,
     /// Replace an existing output folder
     #[arg(long)]
     pub overwrite: bool,

@@ -1,8 +1,8 @@
-//! `list`, `new`, `schema`.
+//! `list`, `show`, `new`, `schema`.
 
 use super::args::Kind;
-use super::{BAD_INPUT, DONE, FAILED, say};
-use groundwave::case::{TEMPLATE, library, schema::CaseInput};
+use super::{BAD_INPUT, DONE, FAILED, complain, say};
+use groundwave::case::{TEMPLATE, library};
 use std::io::Write;
 use std::path::Path;
 
@@ -24,6 +24,19 @@ pub fn list(what: Option<Kind>) -> u8 {
         }
     }
     DONE
+}
+
+pub fn show(name: &str) -> u8 {
+    match groundwave::case::show(name) {
+        Ok(lines) => {
+            say(lines.trim_end());
+            DONE
+        }
+        Err(error) => {
+            complain(&error.into());
+            BAD_INPUT
+        }
+    }
 }
 
 pub fn new(file: Option<&Path>) -> u8 {
@@ -51,7 +64,7 @@ pub fn new(file: Option<&Path>) -> u8 {
 }
 
 pub fn schema() -> u8 {
-    match serde_json::to_string_pretty(&schemars::schema_for!(CaseInput)) {
+    match serde_json::to_string_pretty(&groundwave::case::json_schema()) {
         Ok(text) => {
             say(&text);
             DONE

@@ -1,6 +1,8 @@
 //! The command: the only place that prints. Exit codes: 0 done, 1 failed, 2 bad input, 130 interrupted.
 
 mod args;
+mod assess;
+mod compare;
 mod list;
 mod progress;
 mod run;
@@ -27,8 +29,11 @@ pub fn main(argv: impl Iterator<Item = std::ffi::OsString>) -> ExitCode {
     };
     let code = match arguments.command {
         args::Command::Run(options) => run::run(&options),
+        args::Command::Assess(options) => assess::assess(&options),
+        args::Command::Compare(options) => compare::compare(&options),
         args::Command::Check { case } => run::check(&case),
         args::Command::List { what } => list::list(what),
+        args::Command::Show { name } => list::show(&name),
         args::Command::New { file } => list::new(file.as_deref()),
         args::Command::Schema => list::schema(),
     };

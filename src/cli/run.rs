@@ -35,7 +35,7 @@ pub fn check(path: &Path) -> u8 {
 }
 
 /// results/<name>: the file's stem, or its folder's name where the file is called case.toml or results.h5.
-fn default_out(case: &Path) -> PathBuf {
+pub fn default_out(case: &Path) -> PathBuf {
     let stem = case.file_stem().and_then(|s| s.to_str()).unwrap_or("case");
     let folder = std::path::absolute(case).ok();
     let folder = folder.as_deref().and_then(Path::parent).and_then(Path::file_name).and_then(|s| s.to_str());
@@ -49,7 +49,7 @@ fn default_out(case: &Path) -> PathBuf {
 }
 
 /// Removes what an interrupted run leaves beside its output folder.
-fn sweep_on_interrupt(out: PathBuf) {
+pub fn sweep_on_interrupt(out: PathBuf) {
     let _ = ctrlc::set_handler(move || {
         sweep(&out);
         eprintln!("\ninterrupted: nothing written");
@@ -88,7 +88,7 @@ pub fn run(arguments: &RunArguments) -> u8 {
     bar.end();
     match result {
         Ok(summary) => {
-            print(&case, &summary, &out, started);
+            print(&case.title, &summary, &out, started);
             if arguments.strict && !summary.concerns.is_empty() {
                 let codes: Vec<&str> = summary.concerns.iter().map(|c| c.code).collect();
                 eprintln!("error: concerns under --strict: {}", codes.join(", "));
@@ -107,8 +107,9 @@ pub fn run(arguments: &RunArguments) -> u8 {
     }
 }
 
-fn print(case: &Case, summary: &Summary, out: &Path, started: Instant) {
-    say(&case.title);
+/// The answers of a run called `title`, its concerns, where its files are.
+pub fn print(title: &str, summary: &Summary, out: &Path, started: Instant) {
+    say(title);
     for (study, answers) in &summary.answers {
         let see = if answers.is_empty() { ": see the tables" } else { "" };
         say(&format!("\n{study}{see}"));

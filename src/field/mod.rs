@@ -13,6 +13,7 @@ mod section;
 mod sections;
 mod standing_field;
 mod transfer;
+mod underground;
 
 pub use constant_load::{ConstantLoad, SlowLoad};
 pub use far_field::FarField;
@@ -26,3 +27,4 @@ pub use section::Section;
 pub use sections::{Between, Sections, Tables};
 pub use standing_field::StandingField;
 pub use transfer::Transfer;
+pub use underground::{COMPONENTS, Component, Underground, UndergroundField, octahedral_strain};

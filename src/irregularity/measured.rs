@@ -1,9 +1,11 @@
 //! A measured profile as a Fourier series.
 
 use super::{Component, IrregularityError, Realisation};
-use crate::columns::{self, Columns};
+use crate::columns::{self, Columns, ColumnsError};
 use crate::math::fourier;
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::Deserialize;
 use std::f64::consts::{PI, TAU};
 
 /// Points a profile needs at least.
@@ -23,7 +25,28 @@ const LEAST: usize = 8;
 ///
 /// Accuracy: at the points of a uniform profile of a thousand points, 2e-15 m, rounding (test `goes_through_every_point`).
 pub fn measured(csv: &str) -> Result<Realisation, IrregularityError> {
-    let (x, r) = read(csv)?;
+    measured_rail(csv, None)
+}
+
+/// One of two rails.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rail {
+    /// The second column.
+    Left,
+    /// The third one.
+    Right,
+    /// Both together, (r_left + r_right)/2: what wheelsets follow up and down.
+    Mean,
+}
+
+/// As [`measured`], of a file that may hold both rails: a header, then x, r_left and r_right in each line. Of these the mean is taken,
+/// unless one `rail` is asked for.
+///
+/// # Errors
+/// As `measured`; a rail asked for where the file has one profile alone.
+pub fn measured_rail(csv: &str, rail: Option<Rail>) -> Result<Realisation, IrregularityError> {
+    let (x, r) = read(csv, rail)?;
     let (x_0, length) = (x[0], x[x.len() - 1] - x[0]);
     let spacing = length / (x.len() - 1) as f64;
     let place = |i: usize| x_0 + i as f64 * spacing;
@@ -33,9 +56,37 @@ pub fn measured(csv: &str) -> Result<Realisation, IrregularityError> {
     series(&r, x_0, spacing)
 }
 
+/// Positions and heights of a `rail` in `csv` [m], and their lines.
+///
+/// # Errors
+/// No table; a rail asked for where there is one profile alone.
+pub fn rail_columns(csv: &str, rail: Option<Rail>) -> Result<Columns, IrregularityError> {
+    let pair = columns::read(csv);
+    let table = match pair {
+        Ok(pair) if rail.is_none() => return Ok(pair),
+        Ok(_) => return Err(IrregularityError::Rails { found: 2, asked: true }),
+        // a line with three numbers, or a fault that a table has too
+        Err(fault) => match columns::table(csv) {
+            Ok(table) if table.columns.len() > 2 => table,
+            Err(wide @ ColumnsError::Line { wanted: 3.., .. }) => return Err(wide.into()),
+            _ => return Err(fault.into()),
+        },
+    };
+    let columns = columns::lengths(table)?;
+    let [x, left, right] = &columns.columns[..] else {
+        return Err(IrregularityError::Rails { found: columns.columns.len(), asked: false });
+    };
+    let values = match rail.unwrap_or(Rail::Mean) {
+        Rail::Left => left.clone(),
+        Rail::Right => right.clone(),
+        Rail::Mean => left.iter().zip(right).map(|(l, r)| 0.5 * (l + r)).collect(),
+    };
+    Ok(Columns { x: x.clone(), values, lines: columns.lines })
+}
+
 /// Positions [m] and heights [m].
-fn read(csv: &str) -> Result<(Vec<f64>, Vec<f64>), IrregularityError> {
-    let Columns { x, values, lines } = columns::read(csv)?;
+fn read(csv: &str, rail: Option<Rail>) -> Result<(Vec<f64>, Vec<f64>), IrregularityError> {
+    let Columns { x, values, lines } = rail_columns(csv, rail)?;
     if let Some(i) = x.windows(2).position(|x| x[1] <= x[0]) {
         return Err(IrregularityError::NotRising { line: lines[i + 1], x: x[i + 1], before: x[i] });
     }
@@ -147,6 +198,27 @@ mod tests {
             let x = 0.25 * f64::from(i);
             assert!((uneven.at(x) - even.at(x)).abs() < 0.01e-3, "{x} {} {}", uneven.at(x), even.at(x));
         }
+    }
+
+    #[test]
+    fn rails_left_and_right() {
+        let text = (0..40).fold("% car 3\nx [m];left [mm];right [mm]\n".to_owned(), |text, i| {
+            let x = 0.25 * f64::from(i);
+            text + &format!("{x};{};{}\n", (2.0 * x).sin(), (3.0 * x).cos()).replace('.', ",")
+        });
+        let of = |rail| rail_columns(&text, rail).unwrap();
+        let (left, right, mean) = (of(Some(Rail::Left)), of(Some(Rail::Right)), of(None));
+        for i in 0..40 {
+            assert!((mean.values[i] - 0.5 * (left.values[i] + right.values[i])).abs() < 1e-18);
+        }
+        assert!((left.values[4] - 1e-3 * 2f64.sin()).abs() < 1e-12);
+        assert!(measured_rail(&text, Some(Rail::Right)).is_ok());
+        let why = |text: &str, rail| measured_rail(text, rail).unwrap_err().to_string();
+        assert!(why("x,r\n0,1\n1,2\n", Some(Rail::Left)).contains("only the latter has rails"));
+        assert!(why("x,l,r,z\n0,1,2,3\n1,2,3,4\n", None).starts_with("4 columns"));
+        // a gap in one of them
+        let gap = text.replacen("3,75;", "3,75;;", 1);
+        assert!(why(&gap, None).starts_with("line 18 reads"), "{}", why(&gap, None));
     }
 
     #[test]

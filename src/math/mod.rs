@@ -11,6 +11,7 @@ pub mod fourier;
 pub(crate) mod gridding;
 pub mod interpolation;
 pub(crate) mod lanes;
+pub mod many;
 pub mod maximum;
 pub mod polynomial;
 pub mod quadrature;

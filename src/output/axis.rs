@@ -50,6 +50,17 @@ impl Scale {
         Self { lo: self.lo * factor, hi: self.hi * factor, ..*self }
     }
 
+    /// Those of `own` ticks, value and label, that lie on the axis; of none about `count` as they fall.
+    pub fn ticks_or(&self, own: &[(f64, String)], count: usize) -> Ticks {
+        if own.is_empty() {
+            return self.ticks(count);
+        }
+        let (lo, hi) = (self.lo.min(self.hi), self.lo.max(self.hi));
+        let inside = own.iter().filter(|(value, _)| (lo..=hi).contains(value));
+        let major = inside.map(|(value, label)| Tick { value: *value, label: label.clone() }).collect();
+        Ticks { major, minor: Vec::new(), exponent: 0 }
+    }
+
     /// Ticks at 1, 2 or 5 times a power of ten, about `count` of them.
     pub fn ticks(&self, count: usize) -> Ticks {
         let (lo, hi) = (self.lo.min(self.hi), self.lo.max(self.hi));

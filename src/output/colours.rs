@@ -14,6 +14,8 @@ pub(super) const FAINT: Rgb = [228, 228, 228];
 /// A value that is not a number.
 pub(super) const MISSING: Rgb = [190, 190, 190];
 
+/// Curves that have a hue each.
+pub(super) const FEW: usize = CURVES.len();
 /// Okabe & Ito (2008), Color universal design; its yellow is left out, being too light for a line.
 const CURVES: [Rgb; 7] =
     [[0, 114, 178], [213, 94, 0], [0, 158, 115], [204, 121, 167], [86, 180, 233], [230, 159, 0], [0, 0, 0]];

@@ -15,6 +15,12 @@ pub(super) fn marks(figure: &LineFigure) -> impl Iterator<Item = (f64, &str)> {
     marks.map(|(x, label)| (*x, label.as_str()))
 }
 
+/// The horizontal lines that have a place on the y axis.
+pub(super) fn levels(figure: &LineFigure) -> impl Iterator<Item = (f64, &str)> {
+    let levels = figure.levels.iter().filter(|l| shown(l.0, figure.log_y));
+    levels.map(|(y, label)| (*y, label.as_str()))
+}
+
 /// The unbroken stretches of a series that can be shown.
 pub(super) fn runs(series: &Series, figure: &LineFigure) -> Vec<Vec<Point>> {
     let mut runs = vec![Vec::new()];
@@ -48,10 +54,13 @@ pub(super) fn ranges(figure: &LineFigure) -> Option<((f64, f64), (f64, f64))> {
         figure.series.iter().flat_map(|s| runs(s, figure).into_iter().flatten()).collect();
     let marks = marks(figure).map(|(x, _)| x);
     let x = bounds(points.iter().map(|p| p.0).chain(marks))?;
-    let y = bounds(points.iter().map(|p| p.1))?;
+    bounds(points.iter().map(|p| p.1))?;
+    let held = figure.y_holds.into_iter().flat_map(|(low, high)| [low, high]);
+    let held = held.filter(|v| shown(*v, figure.log_y));
+    let y = bounds(points.iter().map(|p| p.1).chain(held).chain(levels(figure).map(|(y, _)| y)))?;
     let has_markers = figure.series.iter().any(|s| s.stroke == Stroke::Points);
     // Room at the ends of the vertical marks for their labels.
-    let y_margin = if figure.marks.is_empty() { 0.06 } else { 0.1 };
+    let y_margin = if figure.marks.is_empty() && figure.levels.is_empty() { 0.06 } else { 0.1 };
     let x_margin = if has_markers { 0.02 } else { 0.0 };
     Some((widen(x, figure.log_x, x_margin, false), widen(y, figure.log_y, y_margin, true)))
 }

@@ -6,6 +6,7 @@ use super::OutputError;
 use crate::dataset::{Attribute, Dataset, Group, Variable};
 use ::hdf5::types::VarLenUnicode;
 use ::hdf5::{H5Dataset, H5File, H5Group, Hdf5Error};
+use ndarray::ArrayD;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -52,6 +53,41 @@ pub fn write(dataset: &Dataset, path: &Path) -> Result<(), OutputError> {
 pub fn read_text_attribute(path: &Path, name: &str) -> Result<String, String> {
     let file = H5File::open(path).map_err(|e| e.to_string())?;
     file.attr_string(name).map_err(|e| format!("no attribute {name}: {e}"))
+}
+
+/// The groups of the file at `path`, which [`write`] wrote, without their attributes.
+///
+/// # Errors
+/// What the library says if the file cannot be read; a variable that does not say its dimensions, as files before this version.
+pub fn read(path: &Path) -> Result<Vec<Group>, String> {
+    let file = H5File::open(path).map_err(|e| e.to_string())?;
+    let told = |e: Hdf5Error| e.to_string();
+    let mut groups = Vec::new();
+    for name in file.root_group().group_names().map_err(told)? {
+        let place = file.root_group().group(&name).map_err(told)?;
+        let mut group = Group::new(&name);
+        for variable in place.dataset_names().map_err(told)? {
+            let short = variable.rsplit('/').next().unwrap_or(&variable);
+            let stored = file.dataset(&format!("{name}/{short}")).map_err(told)?;
+            let text = |key: &str| {
+                stored.attr(key).and_then(|a| a.read_string()).map_err(|e| {
+                    format!("{name}/{short}: no {key} ({e}): an earlier version wrote it, run the case again")
+                })
+            };
+            let dims: Vec<String> = text("dimensions")?.split_whitespace().map(str::to_owned).collect();
+            let values = stored.read_raw::<f64>().map_err(told)?;
+            let values = ArrayD::from_shape_vec(stored.shape(), values).map_err(|e| e.to_string())?;
+            group.variables.push(Variable {
+                name: short.to_owned(),
+                dims,
+                values,
+                units: text("units")?,
+                long_name: text("long_name")?,
+            });
+        }
+        groups.push(group);
+    }
+    Ok(groups)
 }
 
 fn check_dimensions(group: &Group, path: &Path) -> Result<(), OutputError> {
@@ -113,7 +149,9 @@ fn write_variable(place: &H5Group, variable: &Variable) -> Result<H5Dataset, Hdf
     if !values.is_empty() {
         stored.write_raw(&values)?;
     }
-    for (name, text) in [("units", &variable.units), ("long_name", &variable.long_name)] {
+    let dimensions = variable.dims.join(" ");
+    let texts = [("units", &variable.units), ("long_name", &variable.long_name), ("dimensions", &dimensions)];
+    for (name, text) in texts {
         let attribute = stored.new_attr::<VarLenUnicode>().shape(()).create(name)?;
         attribute.write_string(text)?;
     }
@@ -201,6 +239,21 @@ mod tests {
         let x = file.dataset("track_response/x").unwrap();
         assert_eq!(x.attr("CLASS").unwrap().read_string().unwrap(), "DIMENSION_SCALE");
         assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn what_was_written_is_read_again() {
+        let dir = tempfile::tempdir().unwrap();
+        let (path, dataset) = (dir.path().join("a.h5"), sample());
+        write(&dataset, &path).unwrap();
+        let mut read = read(&path).unwrap();
+        assert_eq!(read.len(), dataset.groups.len());
+        read.sort_by(|a, b| a.name.cmp(&b.name));
+        for group in &dataset.groups {
+            let found = read.iter().find(|g| g.name == group.name).unwrap();
+            assert_eq!(found.variables.len(), group.variables.len());
+            assert!(group.variables.iter().all(|v| found.get(&v.name) == Some(v)));
+        }
     }
 
     #[test]

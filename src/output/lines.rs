@@ -3,9 +3,11 @@
 use super::OutputError;
 use super::axis::Scale;
 use super::canvas::{Anchor, Canvas, Pen, TICK, label_room};
-use super::colours::{GREY, INK, Rgb, curve};
+use super::colours::{FEW, GREY, INK, Rgb, curve};
 use super::curves::{marks, ranges, runs, thin_out};
 use super::lettering::text_width;
+use super::levels;
+use super::markers;
 use super::page::{Area, Point};
 use crate::figure::{LineFigure, Stroke};
 
@@ -91,9 +93,10 @@ impl Plan {
     fn draw(&self, figure: &LineFigure, spots: &Spots) -> Canvas {
         let frame = self.frame;
         let mut canvas = Canvas::new(WIDTH, (frame.bottom + BELOW).max(spots.legend.bottom + 4.0));
-        let (x_ticks, y_ticks) = (self.x.ticks(8), self.y.ticks(7));
+        let (x_ticks, y_ticks) = (self.x.ticks_or(&figure.x_ticks, 8), self.y.ticks(7));
         canvas.grid(frame, (self.x, &x_ticks), (self.y, &y_ticks));
         let white = Some([255; 3]);
+        levels::draw(&mut canvas, frame, self.y, figure);
         for (value, _) in marks(figure) {
             let x = self.x.at(value);
             let pen = Pen { dash: Some((2.5, 3.5)), ..Pen::solid(GREY, 1.6) };
@@ -101,9 +104,16 @@ impl Plan {
         }
         for (index, series) in figure.series.iter().enumerate() {
             let colour = curve(index, figure.series.len());
-            for run in runs(series, figure) {
-                let points: Vec<_> = run.into_iter().map(|p| self.at(p)).collect();
-                stroke(&mut canvas, thin_out(points), series.stroke, colour);
+            let runs: Vec<Vec<Point>> = runs(series, figure)
+                .into_iter()
+                .map(|run| run.into_iter().map(|p| self.at(p)).collect())
+                .collect();
+            let marked = if is_marked(figure) { markers::places(&runs, index) } else { Vec::new() };
+            for points in runs {
+                numbered(&mut canvas, thin_out(points), series.stroke, (index, colour));
+            }
+            if series.stroke != Stroke::Points {
+                marked.into_iter().for_each(|place| markers::mark(&mut canvas, place, index, colour));
             }
         }
         for ((_, label), area) in marks(figure).zip(&spots.marks) {
@@ -128,7 +138,11 @@ impl Plan {
                     Stroke::Points => vec![(left + 0.5 * SAMPLE, y)],
                     Stroke::Solid | Stroke::Dashed => vec![(left, y), (left + SAMPLE, y)],
                 };
-                stroke(&mut canvas, ends, series.stroke, curve(index, figure.series.len()));
+                let colour = curve(index, figure.series.len());
+                numbered(&mut canvas, ends, series.stroke, (index, colour));
+                if is_marked(figure) && index > 0 && series.stroke != Stroke::Points {
+                    markers::mark(&mut canvas, (left + 0.5 * SAMPLE, y), index, colour);
+                }
                 canvas.text((left + SAMPLE + 9.0, y + 5.0), &series.name, TICK, Anchor::Start);
             }
         }
@@ -211,6 +225,20 @@ fn freest(candidates: impl Iterator<Item = Area>, taken: &[Point], busy: &[Area]
     candidates.map(|area| (area, hits(&area))).min_by_key(|(_, hits)| *hits)
 }
 
+/// Few curves carry marks; a large family is told by its ramp of colours, which is one of greys too.
+fn is_marked(figure: &LineFigure) -> bool {
+    figure.series.len() <= FEW
+}
+
+/// As [`stroke`], with the markers of curve number `index`.
+fn numbered(canvas: &mut Canvas, points: Vec<Point>, kind: Stroke, (index, colour): (usize, Rgb)) {
+    if kind == Stroke::Points {
+        points.into_iter().for_each(|point| markers::mark(canvas, point, index, colour));
+    } else {
+        stroke(canvas, points, kind, colour);
+    }
+}
+
 /// A single curve is named by the axis it lies on.
 fn has_legend(figure: &LineFigure) -> bool {
     figure.series.len() > 1
@@ -249,16 +277,10 @@ mod tests {
         let series =
             |name: &str, centre, stroke| Series { name: name.into(), x: x.clone(), y: hill(centre), stroke };
         LineFigure {
-            name: "critical_speed".into(),
-            title: "Deflection & speed".into(),
-            x_label: "speed [m/s]".into(),
-            y_label: "deflection [mm]".into(),
             second_x: Some(SecondAxis { label: "speed [km/h]".into(), factor: 3.6 }),
-            y_down: false,
-            log_x: false,
-            log_y: false,
             series: vec![series("down", 60.0, Stroke::Solid), series("up", 80.0, Stroke::Dashed)],
             marks: vec![(60.0, "critical speed".into())],
+            ..LineFigure::new("critical_speed", "Deflection & speed", "speed [m/s]", "deflection [mm]")
         }
     }
 
@@ -278,6 +300,17 @@ mod tests {
         ] {
             assert!(svg.contains(text), "{text} is missing");
         }
+    }
+
+    #[test]
+    fn levels_and_own_ticks_are_labelled() {
+        let mut figure = figure();
+        figure.levels = vec![(6.5, "a limit".into())];
+        figure.x_ticks = vec![(31.5, "31.5".into()), (900.0, "outside".into())];
+        // the axis reaches to the limit
+        assert!(ranges(&figure).unwrap().1.1 > 6.5);
+        let svg = Picture::of(&Figure::Lines(figure)).unwrap().svg;
+        assert!(svg.contains("a limit") && svg.contains(">31.5<") && !svg.contains("outside"));
     }
 
     #[test]

@@ -144,7 +144,8 @@ fn outer(points: &[f64]) -> (f64, f64) {
 
 /// The values at both ends of the colours: symmetric about zero if the figure is; never an empty range.
 fn range(figure: &MapFigure) -> Option<(f64, f64)> {
-    let finite = figure.values.iter().copied().filter(|v| v.abs() < PLACES.end);
+    let held = figure.holds.into_iter().flat_map(|(low, high)| [low, high]);
+    let finite = figure.values.iter().copied().chain(held).filter(|v| v.abs() < PLACES.end);
     let (lo, hi) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(v), hi.max(v)));
     if lo > hi {
         return None;
@@ -218,6 +219,7 @@ mod tests {
             x,
             y,
             values,
+            holds: None,
             symmetric,
             equal_axes: true,
             overlay: Vec::new(),

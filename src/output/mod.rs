@@ -12,14 +12,17 @@ mod error;
 pub mod hdf5;
 pub mod json;
 mod lettering;
+mod levels;
 mod lines;
 mod map;
+mod markers;
 mod overlay;
 mod page;
 mod pixels;
 pub mod plot;
 mod raster;
 pub mod report;
+mod sketch;
 
 pub use error::OutputError;
 pub use report::{Report, ReportTable};

@@ -19,12 +19,16 @@ pub struct ReportTable {
 pub struct Report {
     /// Title of the case.
     pub title: String,
+    /// Project, client, author, …, as rows under the title.
+    pub about: Vec<(String, String)>,
     /// Where the case comes from, if it reproduces something.
     pub source: Option<String>,
     /// Version of groundwave.
     pub version: String,
     /// What was asked, and the value with its unit.
     pub answers: Vec<(String, String)>,
+    /// Answers that read better as a table.
+    pub answer_tables: Vec<ReportTable>,
     /// Title, caption and SVG text of every picture.
     pub figures: Vec<(String, String, String)>,
     /// Tables.
@@ -52,11 +56,21 @@ impl Report {
              <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n<h1>{title}</h1>\n",
             title = escape(&self.title)
         );
+        if !self.about.is_empty() {
+            html.push_str("<dl class=\"about\">\n");
+            for (what, text) in &self.about {
+                let _ = writeln!(html, "<dt>{}</dt><dd>{}</dd>", escape(what), escape(text));
+            }
+            html.push_str("</dl>\n");
+        }
         if let Some(source) = &self.source {
             let _ = writeln!(html, "<p class=\"source\">Source: {}</p>", escape(source));
         }
         html.push_str("</header>\n<main>\n");
         self.answers(&mut html);
+        for table in &self.answer_tables {
+            self::table(&mut html, table);
+        }
         self.concerns(&mut html);
         self.figures(&mut html);
         for table in &self.tables {

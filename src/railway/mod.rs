@@ -63,12 +63,20 @@ pub struct Ground {
     pub solver: Solver,
     /// How track or axles touch it; None for the ground alone.
     pub contact: Option<Contact>,
+    /// Names of its layers and of its half-space, as far as they have some, top first.
+    pub names: Vec<Option<String>>,
 }
 
 impl Ground {
     /// `profile` loaded through `contact`, answered by `solver`.
     pub fn new(profile: Profile, solver: Solver, contact: Option<Contact>) -> Self {
-        Self { profile, solver, contact }
+        Self { profile, solver, contact, names: Vec::new() }
+    }
+
+    /// The same with `names` of its layers and of its half-space.
+    #[must_use]
+    pub fn named(self, names: Vec<Option<String>>) -> Self {
+        Self { names, ..self }
     }
 
     /// How it is loaded.
@@ -118,7 +126,7 @@ impl Railway {
         train: Option<Train>,
     ) -> Result<Self, RailwayError> {
         let soil = match &support {
-            Support::Ground(Ground { profile, solver, contact }) => contact
+            Support::Ground(Ground { profile, solver, contact, .. }) => contact
                 .and_then(|contact| contact.strip())
                 .map(|strip| LayeredSoil::new(profile.clone(), *solver, strip))
                 .transpose()?,

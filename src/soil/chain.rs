@@ -1,7 +1,7 @@
 //! A chain of layers loaded at one interface: condensed from both ends, then followed outward.
 
 use super::layer_stiffness::LayerStiffness;
-use nalgebra::{Matrix2, SMatrix};
+use nalgebra::{Matrix2, SMatrix, Vector2};
 use num_complex::Complex64;
 
 /// M A M with M = diag(1, −1, …): a stiffness seen from the other face.
@@ -40,6 +40,26 @@ pub(super) fn inverse<const N: usize>(a: SMatrix<Complex64, N, N>) -> SMatrix<Co
     a.try_inverse().unwrap_or_else(|| SMatrix::from_element(Complex64::new(f64::NAN, f64::NAN)))
 }
 
+/// M u of one vector.
+pub(super) fn turned_vector(u: Vector2<Complex64>) -> Vector2<Complex64> {
+    Vector2::new(u[0], -u[1])
+}
+
+/// Stiffness of all below each of the n + 1 interfaces of n `layers`, None where that is rigid.
+pub(super) fn condensed<const N: usize>(
+    layers: &[LayerStiffness<N>],
+    base: Option<SMatrix<Complex64, N, N>>,
+) -> Vec<Option<SMatrix<Complex64, N, N>>> {
+    let mut below = vec![base; layers.len() + 1];
+    for (j, LayerStiffness { direct, cross }) in layers.iter().enumerate().rev() {
+        below[j] = Some(upside_down(match below[j + 1] {
+            Some(stiffness) => direct - cross * inverse(direct + stiffness) * cross,
+            None => *direct,
+        }));
+    }
+    below
+}
+
 /// Displacements at the n + 1 interfaces of n `layers` for unit tractions at interface `source`, each an N × N matrix
 /// [m/Pa]. `base` is the stiffness of the half-space, None for a rigid base.
 pub(super) fn displacements<const N: usize>(
@@ -48,14 +68,8 @@ pub(super) fn displacements<const N: usize>(
     source: usize,
 ) -> Vec<SMatrix<Complex64, N, N>> {
     let n = layers.len();
-    // below[j]: stiffness of all below interface j, None where it is rigid; above[j] likewise
-    let mut below = vec![base; n + 1];
-    for (j, LayerStiffness { direct, cross }) in layers.iter().enumerate().rev() {
-        below[j] = Some(upside_down(match below[j + 1] {
-            Some(stiffness) => direct - cross * inverse(direct + stiffness) * cross,
-            None => *direct,
-        }));
-    }
+    // above[j]: stiffness of all above interface j
+    let below = condensed(layers, base);
     let mut above = vec![SMatrix::zeros(); n + 1];
     for (j, LayerStiffness { direct, cross }) in layers.iter().enumerate() {
         above[j + 1] = direct - cross * inverse(direct + upside_down(above[j])) * cross;

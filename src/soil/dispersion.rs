@@ -57,6 +57,8 @@ pub struct Mode {
 pub struct Modes {
     /// The slowest ones, by rising phase velocity of the undamped ground.
     pub modes: Vec<Option<Mode>>,
+    /// Their wavenumbers without damping [rad/m].
+    pub undamped: Vec<f64>,
     /// How many trapped modes there are at this frequency without damping, wanted or not.
     pub count: usize,
 }
@@ -324,7 +326,9 @@ pub fn modes(profile: &Profile, wave: SurfaceWave, omega: f64, wanted: usize) ->
         let mode = Mode { k, phase_velocity: omega / k.re, group_velocity, attenuation };
         (k.re > 0.0 && attenuation >= 0.0).then_some(mode)
     };
-    Modes { modes: found.into_iter().map(|k| k.and_then(mode)).collect(), count }
+    let mut undamped = roots;
+    undamped.truncate(found.len());
+    Modes { modes: found.into_iter().map(|k| k.and_then(mode)).collect(), undamped, count }
 }
 
 /// The root that continues `k`, `gap` away from the next, while the damping grows from a share `from` of it to `to`: in

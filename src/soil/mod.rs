@@ -7,6 +7,7 @@
 //! | γ | μ/(λ + 2μ) = (c_s/c_p)² |
 //! | u_zz … | displacement per unit traction wave e^{i(ωt + kx)} [m/Pa], z down |
 
+pub mod at_depth;
 mod batch;
 mod beside;
 mod chain;
@@ -19,7 +20,9 @@ pub mod haskell;
 mod layer_stiffness;
 mod lifted;
 mod material;
+mod minors;
 mod mode_count;
+pub mod mode_shape;
 pub mod off_axis;
 mod pole_sum;
 pub mod poles;
@@ -32,6 +35,7 @@ pub mod transfer_matrix;
 pub(crate) mod wave;
 pub mod wave_amplitudes;
 
+pub use at_depth::AtDepth;
 pub use beside::Receivers;
 pub use compliance::{Compliance, SurfaceCompliance};
 pub use direct_stiffness::DirectStiffness;

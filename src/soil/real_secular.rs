@@ -6,6 +6,7 @@
 //!
 //! Source: Dunkin 1965; Buchen & Ben-Hador 1996.
 
+use super::minors::{Exponential, Generator, Minors};
 use super::mode_count::{Elastic, RealWaves};
 use crate::math::scaling::power_of_two;
 use num_complex::Complex64;
@@ -49,21 +50,7 @@ impl Hyperbolic {
     }
 }
 
-/// Coefficients of e^{−Bh}, all times e^{−Re(p+s)h}:
-///
-/// ```text
-/// cosh Bh = even₀ + even₁ B² + even₂ B²(B² − n)
-/// sinh Bh = B (odd₀ + odd₁ (B² − n))
-/// ```
-struct Exponential {
-    node: f64,
-    even: [f64; 3],
-    odd: [f64; 2],
-    /// Re(p + s)h, the logarithm of what was divided out.
-    scale: f64,
-}
-
-impl Exponential {
+impl Exponential<f64> {
     /// Of vertical wavenumbers whose squares are `p2` > `s2`, over a thickness `h`.
     fn new(p2: f64, s2: f64, h: f64) -> Self {
         let h2 = h * h;
@@ -114,7 +101,8 @@ impl Exponential {
         };
         Self {
             node: d2.re / h2,
-            even: [unit, even1.re * h2, even2 * (h2 * h2)],
+            unit,
+            even: [even1.re * h2, even2 * (h2 * h2)],
             odd: [odd0.re * h, odd1 * (h2 * h)],
             scale,
         }
@@ -135,58 +123,6 @@ fn series(sum: f64, product: f64) -> (f64, f64) {
     (even, odd)
 }
 
-/// The minors m_uw, m_ut, m_ur, m_wt, m_tr of two solutions, tractions in the unit of a modulus.
-#[derive(Clone, Copy)]
-struct Minors([f64; 5]);
-
-impl Minors {
-    /// B m
-    fn derivative(&self, elastic: &Elastic, k: f64) -> Self {
-        let [uw, ut, ur, wt, tr] = self.0;
-        let Elastic { gamma, ks2, .. } = *elastic;
-        let stiffness = 4.0 * (1.0 - gamma) * (k * k) - ks2;
-        let rest = (1.0 - 2.0 * gamma) * k;
-        Self([
-            gamma * ur - wt,
-            -k * wt - rest * ur,
-            2.0 * k * ut + tr - ks2 * uw,
-            2.0 * rest * ut - gamma * tr - stiffness * uw,
-            stiffness * ur + ks2 * wt,
-        ])
-    }
-
-    fn plus(self, other: Self, factor: f64) -> Self {
-        Self(std::array::from_fn(|i| self.0[i] + other.0[i] * factor))
-    }
-
-    fn times(self, factor: f64) -> Self {
-        Self(self.0.map(|m| m * factor))
-    }
-
-    /// Tractions in another unit, `ratio` of the old one to it.
-    fn in_unit(self, ratio: f64) -> Self {
-        let [uw, ut, ur, wt, tr] = self.0;
-        Self([uw, ut * ratio, ur * ratio, wt * ratio, tr * (ratio * ratio)])
-    }
-
-    /// exp(−Bh) m, and the logarithm of the factor divided out.
-    fn lifted(self, elastic: &Elastic, k: f64, thickness: f64) -> (Self, f64) {
-        let e = Exponential::new(k * k - elastic.kp2, k * k - elastic.ks2, thickness);
-        let first = self.derivative(elastic, k);
-        let second = first.derivative(elastic, k);
-        // (B² − n) B m and (B² − n) B² m
-        let third = second.derivative(elastic, k).plus(first, -e.node);
-        let fourth = third.derivative(elastic, k);
-        let lifted = self
-            .times(e.even[0])
-            .plus(second, e.even[1])
-            .plus(fourth, e.even[2])
-            .plus(first, -e.odd[0])
-            .plus(third, -e.odd[1]);
-        (lifted, e.scale)
-    }
-}
-
 /// The Rayleigh function, of waves slower than shear waves in the half-space: zero where P–SV waves travel without load. Times
 /// e^{second}.
 pub(super) fn rayleigh(waves: &RealWaves, k: f64) -> (f64, f64) {
@@ -199,10 +135,12 @@ pub(super) fn rayleigh(waves: &RealWaves, k: f64) -> (f64, f64) {
     };
     let mut scale = 0.0;
     for (elastic, h) in waves.layers.iter().rev() {
-        let (lifted, more) = minors.in_unit(unit / elastic.mu).lifted(elastic, k, *h);
-        let (factor, log) = power_of_two(lifted.0.iter().fold(0.0, |size, m| size.max(m.abs())));
-        (minors, unit) = (lifted.times(factor), elastic.mu);
-        scale += more + log;
+        let e = Exponential::<f64>::new(k * k - elastic.kp2, k * k - elastic.ks2, *h);
+        let b = Generator { k, gamma: elastic.gamma, ks2: elastic.ks2 };
+        (minors, unit) = (minors.in_unit(unit / elastic.mu).lifted(b, &e), elastic.mu);
+        let (factor, log) = power_of_two(minors.0.iter().fold(0.0, |size, m| size.max(m.abs())));
+        minors = minors.times(factor);
+        scale += e.scale + log;
     }
     (minors.in_unit(unit).0[4], scale)
 }

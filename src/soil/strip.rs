@@ -99,6 +99,29 @@ impl Outline {
             top_thickness: profile.top_thickness(),
         }
     }
+
+    /// Panel ends for ∫₀^top G(√(β² + y²)) dy: where waves and layers change G, doubling in between.
+    pub fn breakpoints(&self, beta: f64, top: f64) -> Vec<f64> {
+        let mut points: Vec<f64> = self
+            .wavenumbers
+            .iter()
+            .filter(|&&k| k > beta * (1.0 + 1e-9))
+            .map(|k| (k * k - beta * beta).sqrt())
+            .collect();
+        // the smallest scale on which G(√(β² + y²)) starts to vary with y
+        let slowest = self.wavenumbers.first().copied().unwrap_or(0.0);
+        let mut y = beta.max(slowest).max(1e-12 * top);
+        while y < top {
+            points.push(y);
+            y *= 3.0;
+        }
+        points.push(0.0);
+        points.push(top);
+        points.retain(|&p| p <= top);
+        points.sort_by(f64::total_cmp);
+        points.dedup_by(|a, b| *a - *b < 1e-3 * *a);
+        points
+    }
 }
 
 /// The strip integrals of 1/κ and 1/κ³, κ² = β_c² + y², over (1/π)∫₀^∞ … C(yb) dy.
@@ -148,29 +171,6 @@ pub(super) fn receiver_tail_integrals(beta_c: f64, b: f64, y: f64) -> (f64, f64)
     };
     let (upper, lower) = (primitives(y + b), primitives(y - b));
     ((upper.0 - lower.0) / (2.0 * PI * b), (upper.1 - lower.1) / (2.0 * PI * b))
-}
-
-/// Panel ends for ∫₀^top G(√(β² + y²)) dy: where waves and layers change G, doubling in between.
-fn breakpoints(outline: &Outline, beta: f64, top: f64) -> Vec<f64> {
-    let mut points: Vec<f64> = outline
-        .wavenumbers
-        .iter()
-        .filter(|&&k| k > beta * (1.0 + 1e-9))
-        .map(|k| (k * k - beta * beta).sqrt())
-        .collect();
-    // the smallest scale on which G(√(β² + y²)) starts to vary with y
-    let slowest = outline.wavenumbers.first().copied().unwrap_or(0.0);
-    let mut y = beta.max(slowest).max(1e-12 * top);
-    while y < top {
-        points.push(y);
-        y *= 3.0;
-    }
-    points.push(0.0);
-    points.push(top);
-    points.retain(|&p| p <= top);
-    points.sort_by(f64::total_cmp);
-    points.dedup_by(|a, b| *a - *b < 1e-3 * *a);
-    points
 }
 
 /// What of C(q) the quadrature must know.
@@ -329,7 +329,7 @@ fn integral(
 
     // no more than a period and a half of the kernel in a panel
     let (period, widest) = (kernel.period, 1.5 * kernel.period);
-    let points = breakpoints(outline, beta, first_top(outline, beta, kernel));
+    let points = outline.breakpoints(beta, first_top(outline, beta, kernel));
     let mut top = points.last().copied().unwrap_or(0.0);
 
     let mut integral = Adaptive::new();

@@ -18,6 +18,7 @@
 //! Source: Haskell 1953; Dunkin 1965; Buchen & Ben-Hador 1996. Surface only.
 
 use super::layer_stiffness::LayerStiffness;
+use super::minors::{Exponential, Generator, Minors};
 use super::strip::Outline;
 use super::wave::Wave;
 use super::{Base, Compliance, GroundSolver, PreparedGround, Profile, SoilError, SurfaceCompliance};
@@ -46,23 +47,9 @@ fn hyperbolic(z: Complex64) -> (Complex64, Complex64) {
     (0.5 * (up + down), sinhc)
 }
 
-/// Coefficients of exp(±Bh) for vertical wavenumbers p, s and thickness h, all times e^{−Re(p+s)h}:
-///
-/// ```text
-/// cosh Bh = even₀ + even₁ B² + even₂ B²(B² − d²)      divided differences of cosh √x h over 0, d², a²
-/// sinh Bh = B (odd₀ + odd₁ (B² − d²))                 divided differences of sinh(√x h)/√x over d², a²
-/// ```
-///
-/// with a = p + s, d = p − s.
-struct Exponential {
-    d2: Complex64,
-    even: [Complex64; 3],
-    odd: [Complex64; 2],
-    /// Re(p + s)h, the logarithm of what was divided out.
-    scale: f64,
-}
-
-impl Exponential {
+impl Exponential<Complex64> {
+    /// For vertical wavenumbers p, s and thickness h, with divided differences of cosh √x h over 0, d², a² and of sinh(√x h)/√x over d²,
+    /// a², where a = p + s, d = p − s.
     fn new(p: Complex64, s: Complex64, difference: Complex64, h: f64) -> Self {
         let (p, s) = (p * h, s * h);
         let a = p + s;
@@ -106,71 +93,12 @@ impl Exponential {
         }
         let h2 = h * h;
         Self {
-            d2: d2 / h2,
-            even: [Complex64::from(unit), half_square * h2, even2 * (h2 * h2)],
+            node: d2 / h2,
+            unit,
+            even: [half_square * h2, even2 * (h2 * h2)],
             odd: [sinhc_d * h, odd1 * (h2 * h)],
             scale: a.re,
         }
-    }
-}
-
-/// The minors m_uw, m_ut, m_ur, m_wt, m_tr of two solutions, tractions in the unit of a modulus.
-#[derive(Clone, Copy, Debug)]
-struct Minors([Complex64; 5]);
-
-impl Minors {
-    /// B m
-    #[inline]
-    fn derivative(&self, wave: &Wave, k: Complex64) -> Self {
-        let [uw, ut, ur, wt, tr] = self.0;
-        let gamma = wave.gamma;
-        let stiffness = 4.0 * (1.0 - gamma) * (k * k) - wave.ks2;
-        let rest = (1.0 - 2.0 * gamma) * k;
-        Self([
-            gamma * ur - wt,
-            -k * wt - rest * ur,
-            2.0 * k * ut + tr - wave.ks2 * uw,
-            2.0 * rest * ut - gamma * tr - stiffness * uw,
-            stiffness * ur + wave.ks2 * wt,
-        ])
-    }
-
-    #[inline]
-    fn plus(self, other: Self, factor: Complex64) -> Self {
-        Self(std::array::from_fn(|i| self.0[i] + other.0[i] * factor))
-    }
-
-    #[inline]
-    fn times(self, factor: Complex64) -> Self {
-        Self(self.0.map(|m| m * factor))
-    }
-
-    /// Tractions in the unit `to` instead of `from`.
-    #[inline]
-    fn in_unit(self, from: Complex64, to: Complex64) -> Self {
-        let ratio = from / to;
-        let [uw, ut, ur, wt, tr] = self.0;
-        Self([uw, ut * ratio, ur * ratio, wt * ratio, tr * (ratio * ratio)])
-    }
-
-    /// exp(−Bh) m: the same solutions a layer higher. The logarithm of the factor divided out comes second.
-    #[inline]
-    fn lifted(self, wave: &Wave, k: Complex64, thickness: f64) -> (Self, f64) {
-        let k2 = k * k;
-        let (p, s) = (sqrt_decaying(k2 - wave.kp2), sqrt_decaying(k2 - wave.ks2));
-        let e = Exponential::new(p, s, wave.ks2 - wave.kp2, thickness);
-        let first = self.derivative(wave, k);
-        let second = first.derivative(wave, k);
-        // (B² − d²) B m and (B² − d²) B² m
-        let third = second.derivative(wave, k).plus(first, -e.d2);
-        let fourth = third.derivative(wave, k);
-        let lifted = self
-            .times(e.even[0])
-            .plus(second, e.even[1])
-            .plus(fourth, e.even[2])
-            .plus(first, -e.odd[0])
-            .plus(third, -e.odd[1]);
-        (lifted, e.scale)
     }
 }
 
@@ -215,7 +143,7 @@ impl Waves {
     }
 
     /// Minors at the surface, tractions in units of the top layer's μ, and the logarithm of the factor divided out.
-    fn in_plane(&self, k: Complex64) -> (Minors, f64) {
+    fn in_plane(&self, k: Complex64) -> (Minors<Complex64>, f64) {
         let (o, one) = (Complex64::ZERO, Complex64::ONE);
         // downward solutions: displacements I, tractions −K; on rock no displacement, tractions I
         let (mut minors, mut unit) = match &self.half_space {
@@ -228,13 +156,15 @@ impl Waves {
         };
         let mut scale = 0.0;
         for (wave, h) in self.layers.iter().rev() {
-            let (lifted, more) = minors.in_unit(unit, wave.mu).lifted(wave, k, *h);
-            (minors, unit) = (lifted, wave.mu);
+            let (p, s) = (sqrt_decaying(k * k - wave.kp2), sqrt_decaying(k * k - wave.ks2));
+            let e = Exponential::<Complex64>::new(p, s, wave.ks2 - wave.kp2, *h);
+            let b = Generator { k, gamma: wave.gamma, ks2: wave.ks2 };
+            (minors, unit) = (minors.in_unit(unit / wave.mu).lifted(b, &e), wave.mu);
             let (factor, log) = power_of_two(minors.0.iter().map(larger).fold(0.0, f64::max));
-            minors = minors.times(Complex64::from(factor));
-            scale += more + log;
+            minors = minors.times(factor);
+            scale += e.scale + log;
         }
-        (minors.in_unit(unit, one), scale)
+        (minors.in_unit(unit), scale)
     }
 
     /// Anti-plane: displacement and −traction at the surface, and the logarithm of the factor divided out.

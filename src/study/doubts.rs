@@ -120,7 +120,9 @@ mod tests {
         let beam = Stack::new(vec![Member::beam(1.276e7, 120.46, 0.0).unwrap()], vec![]);
         let train = Train::new(vec![Axle { position: 0.0, load }]).unwrap();
         let railway = Railway::new(Support::Springs(springs), beam, Some(train)).unwrap();
-        let curve = CriticalSpeed { speeds: vec![10.0, 20.0] }.run(&railway, &Silent).unwrap();
+        let curve = CriticalSpeed { speeds: vec![10.0, 20.0], ..CriticalSpeed::default() }
+            .run(&railway, &Silent)
+            .unwrap();
         let shape = TrackResponse { speeds: vec![10.0], spacing: Some(0.5), ..TrackResponse::default() };
         let shape = shape.run(&railway, &Silent).unwrap();
         let all = curve.concerns.iter().chain(&shape.concerns).map(|c| c.code);

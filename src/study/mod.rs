@@ -3,6 +3,7 @@
 //!
 //! The file is long because every question has its arm in each of its matches.
 
+mod against;
 pub mod comparison;
 mod contour;
 mod critical_speed;
@@ -11,23 +12,31 @@ mod dispersion;
 mod doubts;
 mod equivalent_stiffness;
 mod free_field;
+mod ground_at_depth;
 mod landmarks;
 mod passage;
 mod receptance;
+mod record;
 mod surface_compliance;
 mod track_response;
 mod transition;
 mod verified;
 
+pub use against::{Against, AnswerChange, CurveChange, InsertionLoss, Left, Results, Told};
 pub use comparison::Comparison;
 pub use contour::{Contour, GroundMaps};
-pub use critical_speed::{CriticalSpeed, Hump, Peak, Plateau, SpeedCurve, SpeedCurves};
+pub use critical_speed::{CriticalSpeed, Hump, LineSpeed, Peak, Plateau, Reached, SpeedCurve, SpeedCurves};
 pub use decay_rate::{DecayRate, DecayRates};
-pub use dispersion::{Crossing, Dispersion, DispersionCurves};
+pub use dispersion::{Crossing, Dispersion, DispersionCurves, Shapes, ShapesAt};
 pub use equivalent_stiffness::{EquivalentStiffness, StiffnessTable};
-pub use free_field::{Carrier, FreeField, Irregularity, PassVelocities, Roughness};
+pub use free_field::{
+    Assessment, Building, Carrier, FreeField, Irregularity, OtherTrain, PassVelocities, Passes, Roughness,
+    SOUND,
+};
+pub use ground_at_depth::{GroundAtDepth, GroundStates, SHALLOWEST, THRESHOLD};
 pub use passage::{ContactLaw, Passage, Passed, Running, Start, Step};
 pub use receptance::{Receptance, ReceptanceMap, Receptances, Surface};
+pub use record::{Channel, Judged, MeasuredHistory, RecordError};
 pub use surface_compliance::{Compliances, SurfaceComplianceTable};
 pub use track_response::{OverSupports, Record, TrackResponse, TrackShapes, same_speed, tag};
 pub use transition::{Scattered, Transition};
@@ -39,6 +48,7 @@ use crate::dataset::Group;
 use crate::field::GroundFieldError;
 use crate::figure::{Figure, Series, Stroke};
 use crate::foundation::FoundationError;
+use crate::output::ReportTable;
 use crate::progress::Observer;
 use crate::rail::fem::FemError;
 use crate::rail::{InteractionError, Method, RailError};
@@ -97,6 +107,8 @@ pub struct Outcome {
     pub figures: Vec<(Figure, String)>,
     /// The numbers a reader came for.
     pub answers: Vec<Answer>,
+    /// Answers side by side, where there are many of a kind.
+    pub tables: Vec<ReportTable>,
     /// What the result may be doubted for.
     pub concerns: Vec<Concern>,
 }
@@ -112,6 +124,8 @@ pub enum Study {
     TrackResponse(TrackResponse),
     /// What does the ground around the train do?
     Contour(Contour),
+    /// How much is the ground strained at depth?
+    GroundAtDepth(GroundAtDepth),
     /// How much do rail and ground move under a standing harmonic load?
     Receptance(Receptance),
     /// How fast does vibration die away along the rail?
@@ -136,6 +150,7 @@ impl Study {
             Self::Dispersion(_) => "dispersion",
             Self::TrackResponse(_) => "track_response",
             Self::Contour(_) => "contour",
+            Self::GroundAtDepth(_) => "ground_at_depth",
             Self::Receptance(_) => "receptance",
             Self::DecayRate(_) => "decay_rate",
             Self::Transition(_) => "transition",
@@ -156,6 +171,7 @@ impl Study {
             Self::Dispersion(study) => study.run(railway.ground()?, railway.stack().ok(), observer),
             Self::TrackResponse(study) => study.run(railway, observer),
             Self::Contour(study) => study.run(railway, observer),
+            Self::GroundAtDepth(study) => study.run(railway, observer),
             Self::Receptance(study) => study.run(railway, observer),
             Self::DecayRate(study) => study.run(railway, observer),
             Self::Transition(study) => study.run(railway, observer),
@@ -208,6 +224,9 @@ impl Study {
             StudyError::Railway(RailwayError::Itself { method }) => *method,
             StudyError::OffTrack { .. } => return "at",
             StudyError::NoSleeper { key, .. } => return key,
+            StudyError::Soil(SoilError::Depth { .. }) => {
+                return if matches!(self, Self::Dispersion(_)) { "shapes.z" } else { "z" };
+            }
             StudyError::March(MarchError::Elements(FemError::Full { .. } | FemError::Massless)) => {
                 return "damping";
             }
@@ -256,7 +275,9 @@ impl Study {
             }
             Self::Receptance(study) => [study.lacks(railway), None],
             Self::DecayRate(study) => [study.lacks(railway), None],
-            Self::Contour(_) => [ground.and_then(Ground::contact).err().or(railway.stack().err()), train],
+            Self::Contour(_) | Self::GroundAtDepth(_) => {
+                [ground.and_then(Ground::contact).err().or(railway.stack().err()), train]
+            }
             Self::Passage(_) => {
                 let bare = railway.is_bare().then_some(RailwayError::NoTrack);
                 [railway.springs().err().or(bare), train]
@@ -271,7 +292,7 @@ impl Study {
     /// Refuses phase speeds that undamped ground cannot bear, receivers on the track, grids beyond the memory.
     fn check_limits(&self, railway: &Railway) -> Result<(), StudyError> {
         let constant = match self {
-            Self::CriticalSpeed(_) | Self::Contour(_) => true,
+            Self::CriticalSpeed(_) | Self::Contour(_) | Self::GroundAtDepth(_) => true,
             Self::TrackResponse(study) => study.harmonic.is_none(),
             _ => false,
         };
@@ -279,9 +300,15 @@ impl Study {
             railway.check_statics()?;
         }
         let speeds: Vec<f64> = match self {
-            Self::CriticalSpeed(CriticalSpeed { speeds }) => speeds.clone(),
+            Self::CriticalSpeed(CriticalSpeed { speeds, line_speed }) => {
+                speeds.iter().chain(line_speed).copied().collect()
+            }
             Self::TrackResponse(TrackResponse { speeds, .. }) => speeds.clone(),
             Self::Contour(study) => {
+                study.check(railway)?;
+                study.speeds.clone()
+            }
+            Self::GroundAtDepth(study) => {
                 study.check(railway)?;
                 study.speeds.clone()
             }
@@ -296,8 +323,9 @@ impl Study {
                 study.check(railway)?;
                 vec![f64::INFINITY]
             }
+            Self::Dispersion(study) => return Ok(study.check(&railway.ground()?.profile)?),
             // of undamped ground the limit is taken where there is one
-            Self::EquivalentStiffness(_) | Self::Dispersion(_) | Self::SurfaceCompliance(_) => return Ok(()),
+            Self::EquivalentStiffness(_) | Self::SurfaceCompliance(_) => return Ok(()),
         };
         Ok(railway.check_damping(speeds.into_iter())?)
     }
@@ -405,7 +433,7 @@ fn trimmed(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// "137.0 m/s (493 km/h)"
+/// "493 km/h (137.0 m/s)": railways think in km/h.
 fn speed_text(speed: f64) -> String {
-    format!("{speed:.1} m/s ({:.0} km/h)", 3.6 * speed)
+    format!("{:.0} km/h ({speed:.1} m/s)", 3.6 * speed)
 }

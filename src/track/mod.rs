@@ -6,6 +6,7 @@ mod damping;
 mod element;
 mod link;
 mod member;
+mod pad;
 mod section;
 pub mod slab;
 mod stack;
@@ -13,11 +14,12 @@ mod supports;
 mod tower;
 
 pub use ballast::Ballast;
-pub use ballasted::{Ballasted, Sleeper};
+pub use ballasted::{Ballasted, Sleeper, SleeperMass};
 pub use damping::{Caughey, Rayleigh};
 pub use element::Element;
 pub use link::{Link, LinkStiffness, Spring, closed};
 pub use member::Member;
+pub use pad::Pad;
 pub use section::{Rail, Rails, Section as RailSection};
 pub use slab::Slab;
 pub use stack::{Displacements, Stack};
@@ -35,9 +37,9 @@ use thiserror::Error;
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[schemars(tag = "kind")]
 pub enum Track {
-    /// Rails, pads, sleepers, ballast.
+    /// Rails, pads, sleepers, ballast, mats.
     Ballasted(Ballasted),
-    /// Rails, pads, slab.
+    /// Rails, pads, slab, mat.
     Slab(Slab),
     /// One beam.
     Beam {
@@ -73,6 +75,22 @@ impl Track {
         }
     }
 
+    /// The same with `spacing` [m] from one sleeper to the next, if its sleepers do not say.
+    pub fn spaced(mut self, spacing: f64) -> Self {
+        if let Self::Ballasted(Ballasted { sleeper, .. }) = &mut self {
+            sleeper.spacing.get_or_insert(spacing);
+        }
+        self
+    }
+
+    /// From one sleeper to the next [m], where they say.
+    pub fn spacing(&self) -> Option<f64> {
+        match self {
+            Self::Ballasted(track) => track.sleeper.spacing,
+            _ => None,
+        }
+    }
+
     /// Its members and links; `half_width` [m] is half of the contact with the ground, as far as there is one.
     ///
     /// # Errors
@@ -102,6 +120,12 @@ pub enum TrackError {
     /// Bars with both.
     #[error("the wave speed is given twice")]
     WaveSpeedTwice,
+    /// Something by the piece without a spacing.
+    #[error("what is said of one piece lies how far apart? The spacing is missing")]
+    SpacingMissing,
+    /// Something of the second layer of ballast.
+    #[error(transparent)]
+    SubBallast(Box<TrackError>),
     /// Supports under nothing.
     #[error("there is no rail for supports to carry")]
     NoRail,

@@ -11,7 +11,8 @@ use serde::de::{Deserializer, Error};
 /// 2022, Table 3.
 const STEEL: (f64, f64, f64, f64) = (2.1e11, 7.7e10, 7850.0, 0.4);
 
-/// Vignole rails. Source: EN 13674-1:2011, annex A; UIC 860 for the older names.
+/// Vignole rails. Source: EN 13674-1:2011, annex A; UIC 860 for the older names; AREMA, Manual for Railway Engineering, chapter 4, figures
+/// 4-1-1 to 4-1-3, as printed by railtrackfastener.com, "Design of steel rail", for those of America.
 #[derive(Clone, Copy, Debug, Deserialize, Eq, JsonSchema, PartialEq)]
 pub enum Section {
     /// 49 kg/m
@@ -35,12 +36,26 @@ pub enum Section {
     /// 60E1 as UIC 860 drew it
     #[serde(rename = "UIC60")]
     Uic60,
+    /// 115 lb/yd, 57 kg/m
+    #[serde(rename = "115RE")]
+    Re115,
+    /// 119 lb/yd, 59 kg/m
+    #[serde(rename = "119RE")]
+    Re119,
+    /// 132 lb/yd, 65 kg/m
+    #[serde(rename = "132RE")]
+    Re132,
 }
 
 impl Section {
-    /// A [m²] and I about the horizontal axis [m⁴], from cm² and cm⁴.
+    /// A [m²] and I about the horizontal axis [m⁴], from cm² and cm⁴, or from in² and in⁴.
     fn area(self) -> (f64, f64) {
+        const INCH: f64 = 2.54;
+        let inches = |area: f64, second: f64| (INCH.powi(2) * area, INCH.powi(4) * second);
         let (area, second) = match self {
+            Self::Re115 => inches(11.2171, 65.5),
+            Self::Re119 => inches(11.6378, 71.4),
+            Self::Re132 => inches(12.9124, 87.9),
             Self::E49 => (62.92, 1816.0),
             Self::E50 => (64.84, 2017.8),
             Self::E54 => (69.77, 2337.9),
@@ -187,6 +202,18 @@ impl Rail {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rails_of_america_weigh_what_is_printed() {
+        // lb/yd of figures 4-1-1 to 4-1-3, of a steel of 7840 kg/m³
+        for (section, pounds) in
+            [(Section::Re115, 114.3757), (Section::Re119, 118.6657), (Section::Re132, 131.6622)]
+        {
+            let mass = section.area().0 * 7840.0;
+            // measured 2e-4: pounds, yards and the printed density
+            assert!((mass / (pounds * 0.453_592_37 / 0.9144) - 1.0).abs() < 3e-4, "{section:?} {mass}");
+        }
+    }
 
     #[test]
     fn a_rail_of_60_kg_is_that_of_the_papers() {

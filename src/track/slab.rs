@@ -1,9 +1,9 @@
-//! Slab track: rails on pads on a slab that lies on the ground, per metre of whole track.
+//! Slab track: rails on pads on a slab that lies on the ground, or floats on a mat or on bearings, per metre of whole track.
 
-use super::link::Spring;
 use super::member::Beam;
+use super::pad::PadKeys;
 use super::section::{Rail, RailKeys, Rails};
-use super::{Link, Member, Stack, TrackError};
+use super::{Member, Pad, Stack, TrackError};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -17,19 +17,30 @@ pub struct Slab {
     #[schemars(with = "RailKeys")]
     pub rail: Rail,
     /// Their pads.
-    #[schemars(with = "Spring")]
-    pub pad: Link,
+    #[schemars(with = "PadKeys")]
+    pub pad: Pad,
     /// The slab.
     #[schemars(with = "Beam")]
     pub slab: Member,
+    /// What it floats on: a mat, or bearings by the piece.
+    #[schemars(with = "Option<PadKeys>")]
+    pub mat: Option<Pad>,
 }
 
 impl Slab {
-    /// The stack rail – pads – slab.
+    /// The whole track of `rail`s and `pad`s on a `slab`.
+    pub fn new(rail: Rail, pad: Pad, slab: Member) -> Self {
+        Self { rails: None, rail, pad, slab, mat: None }
+    }
+
+    /// The stack rail – pads – slab (– mat – base).
     ///
     /// # Errors
-    /// A section without the number of rails.
+    /// Pieces without a spacing, a section without the number of rails.
     pub fn stack(&self) -> Result<Stack, TrackError> {
-        Ok(Stack::new(vec![self.rail.member(self.rails)?, self.slab], vec![self.pad]))
+        let rails = self.rails;
+        let mut links = vec![self.pad.link(rails, None, 2.0)?];
+        links.extend(self.mat.map(|mat| mat.link(rails, None, 1.0)).transpose()?);
+        Ok(Stack::new(vec![self.rail.member(rails)?, self.slab], links))
     }
 }

@@ -64,7 +64,8 @@ impl Supports {
         let mut members = vec![Member::mass(0.0)?];
         members.extend(below.iter().map(|member| member.times(spacing)));
         if let Some(between) = between {
-            let lowest = members.iter_mut().skip(1).next_back().ok_or(TrackError::NothingToJoin)?;
+            let weighs = |member: &&mut Member| member.mass > 0.0;
+            let lowest = members.iter_mut().rfind(weighs).ok_or(TrackError::NothingToJoin)?;
             *lowest = lowest.joined(between);
         }
         let links = track.links().iter().map(|link| link.times(spacing)).collect();

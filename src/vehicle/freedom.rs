@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// A body of a vehicle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Part {
     /// Wheels and what moves with them.
     Wheelset,
@@ -14,7 +14,7 @@ pub enum Part {
 }
 
 /// How a body moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Motion {
     /// Displacement of its centre [m], positive down.
     Bounce,

@@ -16,6 +16,15 @@ pub enum Tread {
     Coned,
 }
 
+/// The contact of a wheelset and the rails as a spring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactSpring {
+    /// k_H = dP/dδ [N/m], both wheels together.
+    pub stiffness: f64,
+    /// P₀ [N] of the wheelset under which it is taken.
+    pub load: f64,
+}
+
 /// The Hertzian contact of one wheel: P = (δ/G)^{3/2}, P [N] the force, δ [m] the approach.
 ///
 /// G = 3.86e-8 R^−0.115 of worn, 4.57e-8 R^−0.149 of coned wheels [m/N^{2/3}], R [m] the radius of the wheel.

@@ -10,7 +10,7 @@ mod multibody;
 pub use axle_loads::{Axle, Train, VehicleError};
 pub use four_axle::{Body, Bogie, FourAxle, GRAVITY, Suspension, Wheelset};
 pub use freedom::{Freedom, Motion, Part};
-pub use hertz::{Hertz, Tread};
+pub use hertz::{ContactSpring, Hertz, Tread};
 pub use model::VehicleModel;
 pub use multibody::Multibody;
 

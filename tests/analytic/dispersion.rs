@@ -2,6 +2,7 @@
 
 use crate::common::{named, soil};
 use groundwave::soil::dispersion::{Mode, SurfaceWave, modes};
+use groundwave::soil::mode_shape::{ellipticity, mode_shape};
 use groundwave::soil::{Base, Elastic, Layer, Material, Profile};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
@@ -216,4 +217,53 @@ fn a_heavy_layer_is_slower_than_either_rayleigh_wave() {
     println!("least {least}");
     // measured 0.891
     assert!(least < 1.0);
+}
+
+/// H/V = 2√(1 − ξ)/(2 − ξ), ξ = (c_R/c_s)², and u_z ∝ e^{−kz√(1 − κ²ξ)} (1 − 2/(2 − ξ) e^{…}) over depth, κ = c_s/c_p.
+#[test]
+fn rayleigh_waves_turn_backward_over_depth() {
+    let (poisson, c_s, omega) = (0.25, 150.0, 60.0);
+    let m = Material::new(Elastic::ShearPoisson { shear: c_s, poisson }, 1800.0, 0.0, 0.0).unwrap();
+    let profile = Profile::new(vec![], Base::HalfSpace(m)).unwrap();
+    let k = found(&profile, SurfaceWave::Rayleigh, omega, 1)[0].k.re;
+    let xi = (omega / (k * c_s)).powi(2);
+    let kappa2 = (1.0 - 2.0 * poisson) / (2.0 * (1.0 - poisson));
+    let (p, s) = (k * (1.0 - kappa2 * xi).sqrt(), k * (1.0 - xi).sqrt());
+    let ratio = ellipticity(&profile, omega, k).unwrap();
+    // measured 1e-9
+    assert!((ratio / (2.0 * s / k / (2.0 - xi)) - 1.0).abs() < 1e-7, "{ratio}");
+    let depths = [0.0, 0.5, 2.0, 10.0, 40.0];
+    let shape = mode_shape(&profile, SurfaceWave::Rayleigh, omega, k, &depths).unwrap();
+    let down = |z: f64| p / k * (-p * z).exp() - 2.0 * p / k / (2.0 - xi) * (-s * z).exp();
+    let along = |z: f64| (-p * z).exp() - 2.0 * p * s / (k * k * (2.0 - xi)) * (-s * z).exp();
+    for (i, z) in depths.iter().enumerate() {
+        assert!((shape.down[i] / shape.down[0] - down(*z) / down(0.0)).abs() < 1e-7, "{z}");
+        assert!((shape.along[i] / shape.along[0] - along(*z) / along(0.0)).abs() < 1e-7, "{z}");
+    }
+}
+
+/// A soft layer under a stiff crust keeps a mode to itself; Love waves: cos over a layer on rock.
+#[test]
+fn shapes_of_what_is_caught_below_and_of_columns() {
+    let layers = vec![
+        Layer { thickness: 4.0, material: shear(400.0, 2000.0) },
+        Layer { thickness: 3.0, material: shear(80.0, 1700.0) },
+    ];
+    let profile = Profile::new(layers, Base::HalfSpace(shear(420.0, 2000.0))).unwrap();
+    let omega = TAU * 60.0;
+    let k = found(&profile, SurfaceWave::Rayleigh, omega, 1)[0].k.re;
+    let shape = mode_shape(&profile, SurfaceWave::Rayleigh, omega, k, &[0.0, 5.5]).unwrap();
+    let size = |i: usize| shape.along[i].hypot(shape.down[i]);
+    assert!(size(0) < 1e-3 * size(1) && size(1) > 0.5, "{} {}", size(0), size(1));
+
+    let column =
+        Profile::new(vec![Layer { thickness: 5.0, material: shear(100.0, 1700.0) }], Base::Rigid).unwrap();
+    let omega = TAU * 12.0;
+    let k = found(&column, SurfaceWave::Love, omega, 1)[0].k.re;
+    let depths = [0.0, 1.0, 2.5, 4.0, 5.0];
+    let shape = mode_shape(&column, SurfaceWave::Love, omega, k, &depths).unwrap();
+    let s = ((omega / 100.0).powi(2) - k * k).sqrt();
+    for (z, found) in depths.iter().zip(&shape.across) {
+        assert!((found - (s * z).cos()).abs() < 1e-7, "{z} {found}");
+    }
 }

@@ -9,6 +9,7 @@ mod continuous;
 mod decay_rates;
 mod defects;
 mod dispersion;
+mod ground_at_depth;
 mod half_space;
 mod moving_point;
 mod periodic;

@@ -16,9 +16,7 @@ pub fn ballasted() -> Stack {
         poisson: None,
         loss_factor: 0.0,
     };
-    Ballasted { rails: None, rail: rail.into(), pad, sleeper: Sleeper { mass: 490.0 }, ballast }
-        .stack(Some(1.25))
-        .unwrap()
+    Ballasted::new(rail.into(), pad.into(), Sleeper::per_metre(490.0), ballast).stack(Some(1.25)).unwrap()
 }
 
 /// Application 2's slab track.
@@ -26,7 +24,7 @@ pub fn slab() -> Stack {
     let rail = Member::beam(12.76e6, 120.46, 0.0).unwrap();
     let pad = Link::spring(7e8, 3.84e4, 0.0).unwrap();
     let slab = Member::beam(9.77e7, 1250.0, 0.0).unwrap();
-    Slab { rails: None, rail: rail.into(), pad, slab }.stack().unwrap()
+    Slab::new(rail.into(), pad.into(), slab).stack().unwrap()
 }
 
 /// Stack and compatibility by the name in `critical_speed.json`.

@@ -491,9 +491,11 @@ fn study(bands: &[Band], wavelengths: (f64, f64)) -> FreeField {
         passage_time: Some(1.0),
         bands: bands.to_vec(),
         sections: None,
+        assessment: Default::default(),
+        building: Default::default(),
         roughness: Some(Roughness {
             bodies: wheel(&[0.0]),
-            contact: CONTACT,
+            contact: vec![CONTACT],
             irregularity: Irregularity::Random { spectrum: SPECTRUM, wavelengths, seed: 1, count: 1 },
         }),
     }
@@ -504,7 +506,8 @@ fn given(components: Vec<Component>, bands: &[Band], axles: &[f64]) -> FreeField
     let profile = Realisation::new(components, 1e3).unwrap();
     let irregularity = Irregularity::Given { profile, text: "waves".into(), carrier: Carrier::Rail };
     let mut study = study(bands, (1.0, 10.0));
-    study.roughness = Some(Roughness { bodies: wheel(axles), contact: CONTACT, irregularity });
+    study.roughness =
+        Some(Roughness { bodies: wheel(axles), contact: vec![CONTACT; axles.len()], irregularity });
     study
 }
 

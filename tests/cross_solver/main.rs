@@ -21,6 +21,7 @@ mod sleepers_on_ground;
 mod standing_field;
 mod surface_compliance;
 mod thin_layer;
+mod underground;
 
 /// So many draws, the same in every run.
 fn drawn(cases: u32) -> proptest::prelude::ProptestConfig {

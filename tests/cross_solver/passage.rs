@@ -70,6 +70,8 @@ fn bands_of_the_history_are_those_of_the_spectrum() {
         passage_time: Some(1.0),
         bands: bands.clone(),
         sections: None,
+        assessment: Default::default(),
+        building: Default::default(),
         roughness: None,
     };
     let outcome = study.run(&model, &Silent).unwrap();

@@ -62,6 +62,7 @@ fn shrink(study: &mut Study) {
             study.step = Step::Length(5e-3);
         }
         Study::FreeField(study) => study.bands = study.bands[8..12].to_vec(),
+        Study::GroundAtDepth(study) => study.spacing = Some(2.0),
         Study::DecayRate(_)
         | Study::Transition(_)
         | Study::EquivalentStiffness(_)

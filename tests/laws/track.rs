@@ -63,16 +63,16 @@ impl Numbers {
         Link::spring(self.pad.0, self.pad.1, self.pad.2).unwrap()
     }
 
+    /// The springs of the ballast.
+    fn bed(&self) -> Link {
+        Link::spring(self.ballast.0, self.ballast.1, self.ballast.2).unwrap()
+    }
+
     /// With the mass of the ballast [kg/m].
     fn ballasted(&self, ballast: Ballast, mass: f64) -> Track {
-        let sleeper = Sleeper { mass: self.mass };
-        let track = Published::Ballasted(Ballasted {
-            rails: None,
-            rail: self.rail().into(),
-            pad: self.pad(),
-            sleeper,
-            ballast,
-        });
+        let sleeper = Sleeper::per_metre(self.mass);
+        let track = Ballasted::new(self.rail().into(), self.pad().into(), sleeper, ballast);
+        let track = Published::Ballasted(track);
         Track {
             stack: track.stack(Some(2.0)).unwrap(),
             mass: self.rail.1 + self.mass + mass,
@@ -82,7 +82,8 @@ impl Numbers {
 }
 
 /// Every registered track, and a rail on a shear layer.
-const TRACKS: &[fn(&Numbers) -> Track] = &[beam, slab, consistent_mass, bars, shear_layer];
+const TRACKS: &[fn(&Numbers) -> Track] =
+    &[beam, slab, floating_slab, consistent_mass, bars, padded, two_layers, shear_layer];
 
 fn beam(n: &Numbers) -> Track {
     let track = Published::Beam { rails: None, beam: n.rail().into() };
@@ -90,8 +91,34 @@ fn beam(n: &Numbers) -> Track {
 }
 
 fn slab(n: &Numbers) -> Track {
-    let track = Published::Slab(Slab { rails: None, rail: n.rail().into(), pad: n.pad(), slab: n.slab() });
+    let track = Published::Slab(Slab::new(n.rail().into(), n.pad().into(), n.slab()));
     Track { stack: track.stack(None).unwrap(), mass: n.rail.1 + n.slab.1, flexibility: 1.0 / n.pad.0 }
+}
+
+fn floating_slab(n: &Numbers) -> Track {
+    let track = Slab { mat: Some(n.bed().into()), ..Slab::new(n.rail().into(), n.pad().into(), n.slab()) };
+    let stack = Published::Slab(track).stack(None).unwrap();
+    Track { stack, mass: n.rail.1 + n.slab.1, flexibility: 1.0 / n.pad.0 + 1.0 / n.ballast.0 }
+}
+
+/// With pads under the sleepers, and a mat under ballast that weighs nothing.
+fn padded(n: &Numbers) -> Track {
+    let sleeper = Sleeper::per_metre(n.mass);
+    let ballast = Ballast::Spring { spring: n.bed() };
+    let mut track = Ballasted::new(n.rail().into(), n.pad().into(), sleeper, ballast);
+    (track.under_sleeper_pad, track.mat) = (Some(n.pad().into()), Some(n.bed().into()));
+    let stack = Published::Ballasted(track).stack(None).unwrap();
+    Track { stack, mass: n.rail.1 + n.mass, flexibility: 2.0 / n.pad.0 + 2.0 / n.ballast.0 }
+}
+
+/// Ballast as a mass on sub-ballast as a spring, on a mat.
+fn two_layers(n: &Numbers) -> Track {
+    let sleeper = Sleeper::per_metre(n.mass);
+    let ballast = Ballast::Block { mass: 2.0 * n.mass, link: None, spring: n.bed() };
+    let mut track = Ballasted::new(n.rail().into(), n.pad().into(), sleeper, ballast);
+    (track.sub_ballast, track.mat) = (Some(Ballast::Spring { spring: n.bed() }), Some(n.pad().into()));
+    let stack = Published::Ballasted(track).stack(None).unwrap();
+    Track { stack, mass: n.rail.1 + 3.0 * n.mass, flexibility: 2.0 / n.pad.0 + 2.0 / n.ballast.0 }
 }
 
 fn consistent_mass(n: &Numbers) -> Track {
@@ -222,5 +249,33 @@ fn wrong_stacks_are_caught() {
     for (name, law) in LAWS {
         let (_, respond) = wrong.iter().find(|(n, _)| n == name).expect("a wrong stack for every law");
         assert!(ask(200, &inputs(), |input| law(*respond, input)).is_err(), "{name}");
+    }
+}
+
+/// A mat that does not give way leaves the track as it is without it, and so do pads under sleepers.
+#[test]
+fn stiff_mats_are_none() {
+    let stiff = || Some(Link::spring(1e20, 0.0, 0.0).unwrap().into());
+    let rail = || Member::beam(1.276e7, 120.46, 0.0).unwrap().into();
+    let pad = || Link::spring(7e8, 3.84e4, 0.1).unwrap().into();
+    let bed = Link::spring(3.6e8, 1e5, 0.2).unwrap();
+    let ballast = Ballast::Block { mass: 1700.0, link: None, spring: bed };
+    let plain = Ballasted::new(rail(), pad(), Sleeper::per_metre(490.0), ballast);
+    let matted = Ballasted { under_sleeper_pad: stiff(), mat: stiff(), ..plain };
+    let slab = Slab::new(rail(), pad(), Member::beam(9.77e7, 1250.0, 0.01).unwrap());
+    let floating = Slab { mat: stiff(), ..slab };
+    let stacks = [
+        (plain.stack(None).unwrap(), matted.stack(None).unwrap()),
+        (slab.stack().unwrap(), floating.stack().unwrap()),
+    ];
+    for (without, with) in stacks {
+        for (beta, omega, k) in [(0.0, 0.0, 1e8), (0.8, 90.0, 8e7), (3.0, 2000.0, 5e9)] {
+            let k = Complex64::new(k, 0.1 * k);
+            let (a, b) = (without.respond(beta, omega, k), with.respond(beta, omega, k));
+            let gap = (a.rail - b.rail).norm() / a.rail.norm() + (a.base - b.base).norm() / a.base.norm();
+            println!("a stiff mat against none: {gap:.1e}");
+            // 5e9/1e20 of the compliances, more where the base hardly moves
+            assert!(gap < 1e-8, "{gap} {a:?} {b:?}");
+        }
     }
 }

@@ -125,14 +125,9 @@ fn slab_track_at_220_without_interpolation() {
     let profile = Profile::new(layers, Base::HalfSpace(material(200e6, 1800.0))).unwrap();
     let strip = Strip { half_width: 1.25, compatibility: Compatibility::Mean };
     let soil = LayeredSoil::new(profile, Solver::DirectStiffness, strip).unwrap();
-    let stack = Slab {
-        rails: None,
-        rail: Member::beam(1.276e7, 120.46, 0.0).unwrap().into(),
-        pad: Link::spring(7e8, 3.84e4, 0.0).unwrap(),
-        slab: Member::beam(9.77e7, 1250.0, 0.0).unwrap(),
-    }
-    .stack()
-    .unwrap();
+    let (rail, slab) = (Member::beam(1.276e7, 120.46, 0.0), Member::beam(9.77e7, 1250.0, 0.0));
+    let pad = Link::spring(7e8, 3.84e4, 0.0).unwrap();
+    let stack = Slab::new(rail.unwrap().into(), pad.into(), slab.unwrap()).stack().unwrap();
     let speed = 220.0;
     let response = TrackOnFoundation::new(&stack, &soil, 0.0).moving(speed, 60.0).unwrap();
     let rail = response.shape(-10.0, 0.05, 401).rail;

@@ -57,12 +57,15 @@ fn the_critical_speed_is_that_of_one_axle() {
         let outcome = case.outcome("critical_speed");
         // first what is safe; the train's number is called critical nowhere
         assert_eq!(outcome.answers[0].key, "critical_speed");
-        let of_train = outcome.answers.iter().filter(|a| a.what.contains("this train"));
-        assert_eq!(of_train.filter(|a| !a.what.to_lowercase().contains("critical")).count(), 4);
+        let of_train: Vec<_> = outcome.answers.iter().filter(|a| a.what.contains("this train")).collect();
+        assert!(of_train.len() >= 4, "{of_train:?}");
+        assert!(of_train.iter().all(|a| !a.what.to_lowercase().contains("critical")), "{of_train:?}");
         for (figure, _) in &outcome.figures {
             let Figure::Lines(lines) = figure else { panic!("a map") };
             let marks: Vec<&str> = lines.marks.iter().map(|m| m.1.as_str()).collect();
-            assert!(marks[0].starts_with("critical speed 79.") && marks[1].starts_with("train's largest"));
+            assert!(
+                marks[0].starts_with("critical speed 286 km/h") && marks[1].starts_with("train's largest")
+            );
         }
     }
 }
@@ -91,6 +94,8 @@ fn one_axle_has_one_number() {
     let case = run("axles = [{ position = 0.0, load = 150e3 }]", "[75.0, 80.0, 85.0]", 1.0);
     let outcome = case.outcome("critical_speed");
     let keys: Vec<&str> = outcome.answers.iter().map(|a| a.key.as_str()).collect();
-    assert_eq!(keys, ["critical_speed", "max_down", "reference_deflection", "amplification"]);
+    let levels = ["speed_at_amplification_1.2", "speed_at_amplification_1.5"];
+    assert_eq!(keys[..4], ["critical_speed", "max_down", "reference_deflection", "amplification"]);
+    assert_eq!(keys[4..], levels);
     assert_eq!(outcome.answers[0].what, "Critical speed");
 }

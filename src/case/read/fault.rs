@@ -2,8 +2,10 @@
 
 use super::{KIND, REST};
 use crate::case::error::{Finding, nearest, spelling};
+use crate::case::units::Misread;
 use crate::quantity::KEY_ENDS;
 use serde::de::{Error, Expected, Unexpected};
+use std::borrow::Cow;
 use std::fmt;
 
 /// What does not fit.
@@ -16,7 +18,7 @@ pub enum What {
     /// A key that is needed, and what it may be.
     Missing { key: &'static str, allowed: Vec<&'static str> },
     /// Anything else, in words, with advice.
-    Other(String, Option<&'static str>),
+    Other(String, Option<Cow<'static, str>>),
 }
 
 /// What does not fit, and where.
@@ -38,10 +40,15 @@ impl Fault {
         Self::new(What::Other(format!("found {found}, wanted {wanted}"), None))
     }
 
+    /// A text that is not the number wanted.
+    pub fn misread((message, help): Misread) -> Self {
+        Self::new(What::Other(message, Some(help.into())))
+    }
+
     /// The same with advice.
-    pub fn help(mut self, advice: &'static str) -> Self {
+    pub fn help(mut self, advice: impl Into<Cow<'static, str>>) -> Self {
         if let What::Other(_, help) = &mut self.what {
-            *help = Some(advice);
+            *help = Some(advice.into());
         }
         self
     }
@@ -101,7 +108,7 @@ impl Fault {
             What::Other(message, help) => {
                 let finding = Finding::new(self.path, message);
                 match help {
-                    Some(help) => finding.help(help),
+                    Some(help) => finding.help(help.into_owned()),
                     None => finding,
                 }
             }
@@ -109,9 +116,11 @@ impl Fault {
     }
 }
 
-fn join(key: &str, rest: &str) -> String {
+/// The path of `rest` below `key`, either of which may be empty.
+pub fn join(key: &str, rest: &str) -> String {
     match rest {
         "" => key.to_owned(),
+        rest if key.is_empty() => rest.to_owned(),
         rest if rest.starts_with('[') => format!("{key}{rest}"),
         rest => format!("{key}.{rest}"),
     }
@@ -230,7 +239,7 @@ mod tests {
 
     fn reading(text: &str) -> Result<Case, (String, String, Option<String>)> {
         let table = DeTable::parse(text).unwrap();
-        of_table(table.get_ref()).map_err(|f| (f.path, f.message, f.help))
+        of_table(table.get_ref(), "").map_err(|f| (f.path, f.message, f.help))
     }
 
     #[test]

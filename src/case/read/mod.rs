@@ -12,6 +12,8 @@
 //! | a field `$rest` | all keys that are not other fields: an enum with keys beside it |
 //! | a field `$rest:key` | the same: a struct with keys beside it, which needs `key` |
 //!
+//! A number may be a text with its unit, "150 kN", where [`keys`] knows the unit of its key.
+//!
 //! A constructor that refuses what was read (`serde(try_from)`, or `D::Error::custom`) says at which key by
 //! [`OutOfRange`](crate::quantity::OutOfRange) or [`keyed`](crate::quantity::keyed).
 //!
@@ -20,7 +22,8 @@
 mod fault;
 
 use super::error::Finding;
-use fault::{Fault, What, plain, words};
+use super::keys;
+use fault::{Fault, What, join, plain, words};
 use serde::Deserialize;
 use serde::de::value::StrDeserializer;
 use serde::de::{
@@ -35,34 +38,36 @@ const KIND: &str = "kind";
 const REST: &str = "$rest";
 const OTHER: &str = "$other";
 
-/// What `document` says.
+/// What `document` says, which stands for the table `root` of a case (empty for a whole one).
 ///
 /// # Errors
 /// The first thing that does not fit, at its key.
-pub fn of_table<'de, T: Deserialize<'de>>(document: &'de DeTable<'de>) -> Result<T, Finding> {
-    T::deserialize(Node::table(document)).map_err(Fault::finding)
+pub fn of_table<'de, T: Deserialize<'de>>(document: &'de DeTable<'de>, root: &str) -> Result<T, Finding> {
+    T::deserialize(Node::table(document, root)).map_err(Fault::finding)
 }
 
-/// A value of the document; a table as those of its keys that are in question.
+/// A value of the document, with its path in a case where that is needed; a table as those of its keys that are in question.
 #[derive(Clone)]
 enum Node<'de> {
-    Text(&'de str),
+    Text(&'de str, String),
     Whole(i64),
     Number(f64),
     Switch(bool),
     Date(String),
-    List(&'de [toml::Spanned<DeValue<'de>>]),
-    Table(Vec<(&'de str, &'de DeValue<'de>)>),
+    List(&'de [toml::Spanned<DeValue<'de>>], String),
+    Table(Vec<(&'de str, &'de DeValue<'de>)>, String),
 }
 
 impl<'de> Node<'de> {
-    fn table(table: &'de DeTable<'de>) -> Self {
-        Self::Table(table.iter().map(|(key, value)| (key.get_ref().as_ref(), value.get_ref())).collect())
+    fn table(table: &'de DeTable<'de>, at: &str) -> Self {
+        let keys = table.iter().map(|(key, value)| (key.get_ref().as_ref(), value.get_ref()));
+        Self::Table(keys.collect(), at.to_owned())
     }
 
-    fn of(value: &'de DeValue<'de>) -> Result<Self, Fault> {
+    /// The `value` that stands at the path `at`.
+    fn of(value: &'de DeValue<'de>, at: &str) -> Result<Self, Fault> {
         Ok(match value {
-            DeValue::String(text) => Self::Text(text),
+            DeValue::String(text) => Self::Text(text, at.to_owned()),
             DeValue::Integer(digits) => {
                 let value = i64::from_str_radix(digits.as_str(), digits.radix());
                 Self::Whole(value.map_err(|_| Fault::wrong(digits, "a whole number with fewer digits"))?)
@@ -73,29 +78,29 @@ impl<'de> Node<'de> {
             }
             DeValue::Boolean(value) => Self::Switch(*value),
             DeValue::Datetime(date) => Self::Date(date.to_string()),
-            DeValue::Array(list) => Self::List(list),
-            DeValue::Table(table) => Self::table(table),
+            DeValue::Array(list) => Self::List(list, at.to_owned()),
+            DeValue::Table(table) => Self::table(table, at),
         })
     }
 
     fn words(&self) -> String {
         match self {
-            Self::Text(text) => words(Unexpected::Str(text)),
+            Self::Text(text, _) => words(Unexpected::Str(text)),
             Self::Whole(value) => words(Unexpected::Signed(*value)),
             Self::Number(value) => words(Unexpected::Float(*value)),
             Self::Switch(value) => words(Unexpected::Bool(*value)),
             Self::Date(text) => format!("the date {text}"),
-            Self::List(_) => words(Unexpected::Seq),
-            Self::Table(_) => words(Unexpected::Map),
+            Self::List(..) => words(Unexpected::Seq),
+            Self::Table(..) => words(Unexpected::Map),
         }
     }
 
     /// The marker of a variant told by its shape.
     fn shape(&self) -> &'static str {
         match self {
-            Self::Text(_) => "$text",
-            Self::List(_) => "$list",
-            Self::Table(_) => "$table",
+            Self::Text(..) => "$text",
+            Self::List(..) => "$list",
+            Self::Table(..) => "$table",
             _ => "",
         }
     }
@@ -116,13 +121,13 @@ impl<'de> Deserializer<'de> for Node<'de> {
 
     fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
         match self {
-            Self::Text(text) => visitor.visit_borrowed_str(text),
+            Self::Text(text, _) => visitor.visit_borrowed_str(text),
             Self::Whole(value) => visitor.visit_i64(value),
             Self::Number(value) => visitor.visit_f64(value),
             Self::Switch(value) => visitor.visit_bool(value),
             Self::Date(text) => visitor.visit_string(text),
-            Self::List(list) => visitor.visit_seq(Items { list, next: 0 }),
-            Self::Table(keys) => visitor.visit_map(Keys { keys, rest: None, known: &[], next: 0 }),
+            Self::List(list, at) => visitor.visit_seq(Items { list, at, next: 0 }),
+            Self::Table(keys, at) => visitor.visit_map(Keys { keys, at, rest: None, known: &[], next: 0 }),
         }
     }
 
@@ -137,9 +142,13 @@ impl<'de> Deserializer<'de> for Node<'de> {
         match self {
             Self::Whole(value) => visitor.visit_f64(value as f64),
             Self::Number(value) => visitor.visit_f64(value),
-            Self::Text(text) if text.trim().parse::<f64>().is_ok() => {
-                Err(Fault::wrong(self.words(), "a number").help("remove the quotes"))
-            }
+            Self::Text(text, ref at) => match keys::unit(at) {
+                Some(unit) => visitor.visit_f64(unit.read(text).map_err(Fault::misread)?),
+                None if text.trim().parse::<f64>().is_ok() => {
+                    Err(Fault::wrong(self.words(), "a number").help("remove the quotes"))
+                }
+                None => Err(Fault::wrong(self.words(), "a number")),
+            },
             other => Err(Fault::wrong(other.words(), "a number")),
         }
     }
@@ -158,7 +167,7 @@ impl<'de> Deserializer<'de> for Node<'de> {
 
     fn deserialize_str<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
         match self {
-            Self::Text(text) => visitor.visit_borrowed_str(text),
+            Self::Text(text, _) => visitor.visit_borrowed_str(text),
             other => Err(Fault::wrong(other.words(), "text")),
         }
     }
@@ -177,8 +186,8 @@ impl<'de> Deserializer<'de> for Node<'de> {
         visitor: V,
     ) -> Result<V::Value, Fault> {
         match self {
-            Self::Table(keys) if keys.is_empty() => visitor.visit_unit(),
-            Self::Table(keys) => Err(Fault::unknown_field(keys[0].0, &[])),
+            Self::Table(keys, _) if keys.is_empty() => visitor.visit_unit(),
+            Self::Table(keys, _) => Err(Fault::unknown_field(keys[0].0, &[])),
             other => Err(Fault::wrong(other.words(), "a table")),
         }
     }
@@ -193,7 +202,7 @@ impl<'de> Deserializer<'de> for Node<'de> {
 
     fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
         match self {
-            Self::List(list) => visitor.visit_seq(Items { list, next: 0 }),
+            Self::List(list, at) => visitor.visit_seq(Items { list, at, next: 0 }),
             other => Err(Fault::wrong(other.words(), "a list").help(
                 "a list is written [a, b, …], or, where it is one of tables, with [[name]] above each",
             )),
@@ -206,17 +215,17 @@ impl<'de> Deserializer<'de> for Node<'de> {
         fields: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Fault> {
-        let Self::Table(keys) = self else {
+        let Self::Table(keys, at) = self else {
             return Err(Fault::wrong(self.words(), "a table")
                 .help("a table is written { … }, or with [name], in single brackets, above it"));
         };
         let Some(marker) = fields.iter().find(|field| field.starts_with(REST)) else {
-            return visitor.visit_map(Keys { keys, rest: None, known: fields, next: 0 });
+            return visitor.visit_map(Keys { keys, at, rest: None, known: fields, next: 0 });
         };
         let (keys, rest): (Vec<_>, Vec<_>) = keys.into_iter().partition(|(key, _)| fields.contains(key));
         // an empty rest is left to the default of its field
         let rest = (!rest.is_empty()).then_some((*marker, rest));
-        visitor.visit_map(Keys { keys, rest, known: fields, next: 0 })
+        visitor.visit_map(Keys { keys, at, rest, known: fields, next: 0 })
     }
 
     fn deserialize_enum<V: Visitor<'de>>(
@@ -233,14 +242,14 @@ impl<'de> Deserializer<'de> for Node<'de> {
             return Err(Fault::wrong(self.words(), &visitor as &dyn Expected));
         }
         match self {
-            Self::Text(name) => visitor.visit_enum(Variant { name, fields: Self::Table(Vec::new()) }),
-            Self::Table(ref keys) => {
+            Self::Text(name, at) => visitor.visit_enum(Variant { name, fields: Self::Table(Vec::new(), at) }),
+            Self::Table(ref keys, ref at) => {
                 let Some((_, kind)) = keys.iter().find(|(key, _)| *key == KIND) else {
                     return Err(Fault::new(What::Missing { key: KIND, allowed: plain(variants) }));
                 };
                 let DeValue::String(name) = kind else {
                     let wanted = format!("one of {}", plain(variants).join(", "));
-                    return Err(Fault::wrong(Self::of(kind)?.words(), wanted).below(KIND));
+                    return Err(Fault::wrong(Self::of(kind, at)?.words(), wanted).below(KIND));
                 };
                 let name: &str = name;
                 if variants.contains(&OTHER) && !variants.contains(&name) {
@@ -248,9 +257,8 @@ impl<'de> Deserializer<'de> for Node<'de> {
                     return other.map_err(|fault| fault.beside_kinds(variants));
                 }
                 let fields = keys.iter().filter(|(key, _)| *key != KIND).copied().collect();
-                visitor.visit_enum(Variant { name, fields: Self::Table(fields) }).map_err(|fault| match fault
-                    .what
-                {
+                let fields = Self::Table(fields, at.clone());
+                visitor.visit_enum(Variant { name, fields }).map_err(|fault| match fault.what {
                     What::Name { .. } if fault.path.is_empty() => fault.below(KIND),
                     _ => fault,
                 })
@@ -267,6 +275,8 @@ impl<'de> Deserializer<'de> for Node<'de> {
 /// A list, item by item.
 struct Items<'de> {
     list: &'de [toml::Spanned<DeValue<'de>>],
+    /// Its path.
+    at: String,
     next: usize,
 }
 
@@ -275,15 +285,18 @@ impl<'de> SeqAccess<'de> for Items<'de> {
 
     fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Fault> {
         let Some(item) = self.list.get(self.next) else { return Ok(None) };
-        let at = format!("[{}]", self.next);
+        let place = format!("[{}]", self.next);
         self.next += 1;
-        Node::of(item.get_ref()).and_then(|node| seed.deserialize(node)).map(Some).map_err(|f| f.below(&at))
+        let node = Node::of(item.get_ref(), &join(&self.at, &place));
+        node.and_then(|node| seed.deserialize(node)).map(Some).map_err(|f| f.below(&place))
     }
 }
 
 /// A table, key by key, and then what is left as one more.
 struct Keys<'de> {
     keys: Vec<(&'de str, &'de DeValue<'de>)>,
+    /// Path of the table.
+    at: String,
     rest: Option<(&'static str, Vec<(&'de str, &'de DeValue<'de>)>)>,
     /// All keys of this table but those of the rest.
     known: &'static [&'static str],
@@ -305,10 +318,11 @@ impl<'de> MapAccess<'de> for Keys<'de> {
     fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Fault> {
         if let Some((key, value)) = self.keys.get(self.next) {
             self.next += 1;
-            return Node::of(value).and_then(|node| seed.deserialize(node)).map_err(|fault| fault.below(key));
+            let node = Node::of(value, &join(&self.at, key));
+            return node.and_then(|node| seed.deserialize(node)).map_err(|fault| fault.below(key));
         }
         let (_, rest) = self.rest.take().unwrap_or_default();
-        seed.deserialize(Node::Table(rest)).map_err(|fault| fault.beside_keys(self.known))
+        seed.deserialize(Node::Table(rest, self.at.clone())).map_err(|fault| fault.beside_keys(self.known))
     }
 }
 
@@ -332,7 +346,9 @@ impl<'de> VariantAccess<'de> for Variant<'de> {
 
     fn unit_variant(self) -> Result<(), Fault> {
         match self.fields {
-            Node::Table(keys) if !keys.is_empty() => Err(Fault::unknown_field(keys[0].0, &[]).of(self.name)),
+            Node::Table(keys, _) if !keys.is_empty() => {
+                Err(Fault::unknown_field(keys[0].0, &[]).of(self.name))
+            }
             _ => Ok(()),
         }
     }

@@ -50,8 +50,10 @@ impl GroundMaps {
     pub(super) fn shown(&self, railway: &Railway) -> Outcome {
         let mut outcome = Outcome { group: self.group(), ..Outcome::default() };
         for (i, &quantity) in self.quantities.iter().enumerate() {
+            let of_all = self.fields.iter().flat_map(|field| field.values[i].iter());
+            let most = 1e3 * of_all.fold(0.0f64, |m, v| m.max(v.abs()));
             for (field, &speed) in self.fields.iter().zip(&self.speeds) {
-                outcome.figures.push(self.map(quantity, &field.values[i], speed));
+                outcome.figures.push(self.map(quantity, &field.values[i], speed, most));
                 outcome.answers.push(largest(quantity, &field.values[i], speed));
             }
         }
@@ -85,7 +87,7 @@ impl GroundMaps {
         number(group, "period_y", |f| f.period.1, "m", "period of the transform across the track")
     }
 
-    fn map(&self, quantity: Quantity, values: &Array2<f64>, speed: f64) -> (Figure, String) {
+    fn map(&self, quantity: Quantity, values: &Array2<f64>, speed: f64, largest: f64) -> (Figure, String) {
         let at = speed_text(speed);
         let Words { label, long, .. } = words(quantity);
         let map = MapFigure {
@@ -97,6 +99,8 @@ impl GroundMaps {
             x: self.x.clone(),
             y: self.y.clone(),
             values: values.mapv(|v| 1e3 * v),
+            // maps of the same quantity at several speeds have the same colours
+            holds: Some((-largest, largest)),
             symmetric: true,
             equal_axes: true,
             overlay: Vec::new(),

@@ -2,9 +2,11 @@
 
 mod curve;
 mod extremes;
+mod line_speed;
 mod shown;
 
 pub use curve::{Hump, Peak, Plateau, SpeedCurve};
+pub use line_speed::{LineSpeed, Reached};
 
 use super::{Outcome, StudyError};
 use crate::progress::Observer;
@@ -19,10 +21,12 @@ const SLOW: f64 = 1.0;
 const BLOCK: usize = 10;
 
 /// The speed curve.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct CriticalSpeed {
     /// v [m/s], ascending.
     pub speeds: Vec<f64>,
+    /// At which trains are to run [m/s].
+    pub line_speed: Option<f64>,
 }
 
 /// What the track does at every speed.
@@ -32,6 +36,8 @@ pub struct SpeedCurves {
     pub axle: SpeedCurve,
     /// Under the whole train, where it has more axles than one: its peak depends on their number and spacing.
     pub train: Option<SpeedCurve>,
+    /// At the speed of the line.
+    pub line: Option<LineSpeed>,
     /// The first speed [m/s] at which an extreme lies at the end of the searched positions.
     pub long_wake: Option<f64>,
     /// Speeds [m/s] at which the accuracy was missed, and by what factor.
@@ -58,7 +64,7 @@ impl CriticalSpeed {
         let train = railway.train()?;
         let axle = train.heaviest_axle();
         let loads = if train.axles().len() > 1 { vec![&axle, train] } else { vec![&axle] };
-        observer.begin("critical speed", self.speeds.len() as u64 + 3);
+        observer.begin("critical speed", self.speeds.len() as u64 + 3 + u64::from(self.line_speed.is_some()));
         type Row = (Vec<Extremes>, f64);
         // begun with what the speed before it has learnt
         let at = |speed: f64, before: &mut Option<RailLoad>| -> Result<Row, StudyError> {
@@ -76,6 +82,15 @@ impl CriticalSpeed {
         });
         let rows: Vec<Row> = blocks.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
         let (rest, slow) = (at(0.0, &mut None)?.0, at(SLOW, &mut None)?.0);
+        let line = self.line_speed.map(|speed| {
+            let extremes = at(speed, &mut None)?.0;
+            Ok::<_, StudyError>(LineSpeed {
+                speed,
+                axle: extremes[0].down,
+                train: extremes.get(1).map(|e| e.down),
+            })
+        });
+        let line = line.transpose()?;
         let mut curves = (0..loads.len())
             .into_par_iter()
             .map(|i| {
@@ -98,7 +113,7 @@ impl CriticalSpeed {
         let rows = || self.speeds.iter().copied().zip(&rows);
         let long_wake = rows().find(|(_, row)| row.0.last().is_some_and(|e| e.at_edge)).map(|(v, _)| v);
         let missed = rows().map(|(v, row)| (v, row.1)).filter(|(_, worst)| *worst > 1.0).collect();
-        Ok(SpeedCurves { axle, train: curves.next(), long_wake, missed })
+        Ok(SpeedCurves { axle, train: curves.next(), line, long_wake, missed })
     }
 
     /// As [`Self::solve`], shown.

@@ -15,6 +15,9 @@ const BELOW: f64 = 0.02;
 /// Difference from 1 of the amplification as v → 0 that a reader asks about.
 const SLOW: f64 = 0.01;
 
+/// km/h in a m/s.
+pub(super) const KMH: f64 = 3.6;
+
 /// "4.816 mm" of a deflection in metres.
 fn millimetres(deflection: f64) -> String {
     format!("{:.3} mm", 1e3 * deflection)
@@ -32,7 +35,7 @@ impl Peak {
 
     /// Its line in a picture, if the range holds it.
     fn mark(&self, name: &str) -> Option<(f64, String)> {
-        (!self.at_end).then(|| (self.speed, format!("{name} {:.1} m/s", self.speed)))
+        (!self.at_end).then(|| (KMH * self.speed, format!("{name} {:.0} km/h", KMH * self.speed)))
     }
 }
 
@@ -42,8 +45,9 @@ impl SpeedCurves {
         Outcome {
             group: self.group(),
             figures: self.figures(),
-            answers: self.answers(),
+            answers: self.answers().into_iter().chain(self.speeds_that_matter()).collect(),
             concerns: self.concerns(),
+            ..Outcome::default()
         }
     }
 
@@ -73,6 +77,12 @@ impl SpeedCurves {
             .attribute("max_down", whole.peak.down)
             .attribute("reference_deflection", whole.at_rest)
             .attribute("amplification", whole.peak.down / whole.at_rest);
+        let group = match self.line {
+            Some(line) => group
+                .attribute("line_speed", line.speed)
+                .attribute("line_speed_max_down", line.train.unwrap_or(line.axle)),
+            None => group,
+        };
         if self.train.is_none() {
             return group;
         }
@@ -148,20 +158,23 @@ impl SpeedCurves {
     fn figures(&self) -> Vec<(Figure, String)> {
         let curve = |name: &str, y: Vec<f64>, stroke| Series {
             name: name.into(),
-            x: self.axle.speeds.clone(),
+            x: self.axle.speeds.iter().map(|v| KMH * v).collect(),
             y,
             stroke,
         };
         let mm = |v: &[f64]| v.iter().map(|x| 1e3 * x).collect::<Vec<_>>();
-        let critical = self.axle.peak.mark("critical speed");
-        let (deflections, amplifications, marks): (_, _, Vec<(f64, String)>) = match &self.train {
+        let line =
+            self.line.map(|line| (KMH * line.speed, format!("line speed {:.0} km/h", KMH * line.speed)));
+        let critical = self.axle.peak.mark("critical speed").into_iter().chain(line);
+        let (deflections, mut amplifications, marks): (_, Vec<Series>, Vec<(f64, String)>) = match &self.train
+        {
             None => (
                 vec![
                     curve("largest downward", mm(&self.axle.down), Stroke::Solid),
                     curve("largest upward", mm(&self.axle.up), Stroke::Dashed),
                 ],
                 vec![curve("single axle", self.axle.amplification(), Stroke::Solid)],
-                critical.into_iter().collect(),
+                critical.collect(),
             ),
             Some(train) => (
                 vec![
@@ -173,15 +186,16 @@ impl SpeedCurves {
                     curve("heaviest axle alone", self.axle.amplification(), Stroke::Solid),
                     curve("this train", train.amplification(), Stroke::Solid),
                 ],
-                critical.into_iter().chain(train.peak.mark("train's largest")).collect(),
+                critical.chain(train.peak.mark("train's largest")).collect(),
             ),
         };
+        amplifications.extend(self.passed_levels());
         let figure = |name: &str, title: &str, y_label: &str, series, marks| {
             Figure::Lines(LineFigure {
-                second_x: Some(SecondAxis { label: "speed [km/h]".into(), factor: 3.6 }),
+                second_x: Some(SecondAxis { label: "speed [m/s]".into(), factor: 1.0 / KMH }),
                 series,
                 marks,
-                ..LineFigure::new(name, title, "speed [m/s]", y_label)
+                ..LineFigure::new(name, title, "speed [km/h]", y_label)
             })
         };
         let (title, label) = ("Rail deflection against speed", "rail deflection [mm]");
@@ -206,6 +220,7 @@ impl SpeedCurves {
                 concerns.extend(beside(&self.axle.peak, &train.peak));
             }
         }
+        concerns.extend(self.too_fast_a_line());
         concerns.extend(static_deflection(self.axle.at_rest));
         if let Some(speed) = self.long_wake {
             concerns.push(Concern::new(

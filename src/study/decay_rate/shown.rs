@@ -16,6 +16,7 @@ impl DecayRates {
             figures: vec![self.figure(beside)],
             answers: self.answers(),
             concerns: Vec::new(),
+            ..Outcome::default()
         }
     }
 

@@ -14,7 +14,13 @@ impl DispersionCurves {
     pub(super) fn shown(&self, compliance: Option<Compliance>) -> Outcome {
         let mut figures: Vec<_> = compliance.map(|compliance| self.map(compliance)).into_iter().collect();
         figures.extend(self.lines());
-        Outcome { group: self.group(), figures, answers: self.answers(), concerns: self.concerns() }
+        figures.extend(self.ellipticity());
+        let mut group = self.group();
+        if let Some(shapes) = &self.shapes {
+            group = shapes.with(group);
+            figures.extend(shapes.figures());
+        }
+        Outcome { group, figures, answers: self.answers(), concerns: self.concerns(), ..Outcome::default() }
     }
 
     fn answers(&self) -> Vec<Answer> {
@@ -60,14 +66,23 @@ impl DispersionCurves {
             SurfaceWave::Rayleigh => "rayleigh",
             SurfaceWave::Love => "love",
         };
-        group
+        let group = group
             .coordinate("mode", &numbers, "1", "number of the mode, the slowest first")
             .variable("found", &both, there.into_dyn(), "1", found)
             .variable("phase_velocity", &both, table(|m| m.phase_velocity), "m s-1", phase)
             .variable("group_velocity", &both, table(|m| m.group_velocity), "m s-1", energy)
             .variable("attenuation", &both, table(|m| m.attenuation), "m-1", decay)
             .variable("count", &["frequency"], counts.into_dyn(), "1", count)
-            .attribute("wave", wave)
+            .attribute("wave", wave);
+        if self.wave == SurfaceWave::Love {
+            return group;
+        }
+        let turning = Array2::from_shape_fn((self.grounds.len(), self.count), |(i, j)| {
+            self.ellipticities[i].get(j).copied().unwrap_or(f64::NAN)
+        });
+        let what = "horizontal over vertical axis of the surface's motion in the mode without damping, positive where it turns \
+                    backward (retrograde); not a number where there is no such mode";
+        group.variable("ellipticity", &both, turning.into_dyn(), "1", what)
     }
 
     fn with_track(&self, group: Group) -> Group {
@@ -191,6 +206,7 @@ impl DispersionCurves {
             x: compliance.frequencies,
             y: compliance.speeds,
             values: compliance.values,
+            holds: None,
             symmetric: false,
             equal_axes: false,
             overlay: self.overlay(),
@@ -229,6 +245,36 @@ impl DispersionCurves {
             });
         }
         overlay
+    }
+
+    /// H/V over frequency.
+    fn ellipticity(&self) -> Option<(Figure, String)> {
+        let curve = |j: usize| -> Vec<f64> {
+            // on a logarithmic axis what vanishes has no place
+            self.ellipticities.iter().map(|e| e.get(j).map_or(f64::NAN, |e| e.abs())).collect()
+        };
+        let series: Vec<Series> = (0..self.count)
+            .map(|j| Series {
+                name: format!("mode {j}"),
+                x: self.frequencies.clone(),
+                y: curve(j),
+                stroke: if self.frequencies.len() > 1 { Stroke::Solid } else { Stroke::Points },
+            })
+            .filter(|series| series.y.iter().any(|v| v.is_finite()))
+            .collect();
+        let figure = LineFigure {
+            log_y: true,
+            series,
+            ..LineFigure::new(
+                "ellipticity",
+                "Ellipticity of the Rayleigh modes",
+                "frequency [Hz]",
+                "horizontal over vertical |H/V| [1]",
+            )
+        };
+        let caption = "Axes of the ellipse on which the surface moves, without damping: peaks where it moves sideways alone, as near \
+                       the resonance of a soft layer, dips where it moves up and down alone.";
+        (!figure.series.is_empty()).then_some((Figure::Lines(figure), caption.into()))
     }
 
     /// Group velocity and, of damped ground, attenuation.

@@ -2,17 +2,40 @@
 
 use super::metrics::MEASURES;
 use super::{Driven, Irregularity, PassVelocities, Roughness};
+use crate::assessment::PassageSpectrum;
 use crate::dataset::Group;
 use ndarray::{Array1, Array2};
 
 impl PassVelocities<'_> {
     /// Arrays of the study.
     pub(super) fn group(&self, velocities: &[Array2<f64>; 3]) -> Group {
-        let group = self.quasi_static_arrays(self.band_arrays(velocities));
+        let bands = self.building_arrays(self.passage_spectra(self.band_arrays(velocities)), &velocities[2]);
+        let group = self.quasi_static_arrays(bands);
         match &self.study.roughness {
             Some(roughness) => self.rough_arrays(group, roughness),
             None => self.measures(group, &["receiver"]),
         }
+    }
+
+    /// Third octaves of the first profile as DIN 45672-2 takes them of a measured passage.
+    fn passage_spectra(&self, group: Group) -> Group {
+        let spectra = &self.metrics.spectra;
+        let shape = (spectra.len(), self.study.bands.len());
+        let table = |of: fn(&PassageSpectrum) -> &[f64]| {
+            Array2::from_shape_fn(shape, |(r, b)| of(&spectra[r])[b]).into_dyn()
+        };
+        let dims = ["receiver", "band"];
+        let interval =
+            "running r.m.s. FAST of the band, r.m.s. over the passage (DIN 45672-2, interval), first profile";
+        let hold =
+            "running r.m.s. FAST of the band, its largest value (DIN 45672-2, max hold), first profile";
+        group.variable("v_interval", &dims, table(|s| &s.interval), "m s-1", interval).variable(
+            "v_max_hold",
+            &dims,
+            table(|s| &s.max_hold),
+            "m s-1",
+            hold,
+        )
     }
 
     /// Coordinates, and r.m.s. velocities in bands.

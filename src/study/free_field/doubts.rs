@@ -2,6 +2,7 @@
 
 use super::{Carrier, Driven, FreeField, Irregularity, PassVelocities};
 use crate::concern::Concern;
+use crate::irregularity::Spectrum;
 use crate::railway::{Ground, Railway};
 use crate::study::doubts::outruns_waves;
 use crate::study::doubts::sinks_as_no_track_does;
@@ -92,6 +93,14 @@ fn largest_force(driven: &[Driven], random: bool) -> f64 {
     3.0 * (step * driven.iter().map(|d| square(d) * d.frequency).sum::<f64>()).sqrt()
 }
 
+/// Share of σ² between the wavelengths `asked` [m] that lies outside those of `published` [m].
+fn energy_beyond(spectrum: &Spectrum, asked: (f64, f64), published: (f64, f64)) -> f64 {
+    let (from, to) = (asked.0.max(published.0), asked.1.min(published.1));
+    let whole = spectrum.band_rms(asked.0, asked.1).powi(2);
+    let inside = if from < to { spectrum.band_rms(from, to).powi(2) } else { 0.0 };
+    (1.0 - inside / whole).max(0.0)
+}
+
 impl FreeField {
     /// Speeds and wavelengths the result may be doubted for.
     pub(super) fn concerns(&self, railway: &Railway) -> Vec<Concern> {
@@ -117,10 +126,12 @@ impl FreeField {
             && let Some((least, most)) = spectrum.valid()
             && (shortest < 0.999 * least || longest > 1.001 * most)
         {
+            let share = 100.0 * energy_beyond(spectrum, (shortest, longest), (least, most));
             concerns.push(Concern::new(
                 "spectrum-range",
                 format!(
-                    "wavelengths {shortest:.4} to {longest:.4} m go beyond those for which the spectrum is published, {least} to {most} m"
+                    "wavelengths {shortest:.4} to {longest:.4} m go beyond those for which the spectrum is published, {least:.4} to {most:.4} m: \
+                     {share:.3} % of the energy σ² of the profile lies out there"
                 ),
                 "narrow irregularity.wavelengths, or read the bands driven by them as extrapolated",
             ));
@@ -149,6 +160,20 @@ impl FreeField {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::irregularity::{BandLevels, TableSpectrum};
+
+    #[test]
+    fn energy_beyond_what_is_published() {
+        // levels of 20, 10, 0 dB in bands at 0.4, 0.315, 0.25 m: without the last one 1/111 of the energy
+        let levels = BandLevels::new(&[0.4, 0.315, 0.25], &[20.0, 10.0, 0.0], &[]).unwrap();
+        let spectrum = Spectrum::Table(TableSpectrum::of_levels(levels, "x".into()));
+        let (shortest, longest) = spectrum.valid().unwrap();
+        let edge = 10f64.powf(-0.55);
+        let beyond = energy_beyond(&spectrum, (shortest, longest), (edge, longest));
+        assert!((beyond - 1.0 / 111.0).abs() < 1e-9, "{beyond}");
+        assert_eq!(energy_beyond(&spectrum, (shortest, longest), (10.0, 20.0)), 1.0);
+        assert!(energy_beyond(&spectrum, (shortest, longest), (shortest, longest)) < 1e-12);
+    }
 
     #[test]
     fn forces_of_profiles_by_three_deviations_or_their_sum() {

@@ -1,9 +1,11 @@
 //! Measures of one pass against distance, beside those guide values that one pass can be compared with.
 
 use super::PassVelocities;
-use super::metrics::{KB_F_MAXIMUM, MEASURES, V_SLOW_MAXIMUM, VDV};
-use super::shown::figure;
-use crate::assessment::{Quantity, Reference, guide_values};
+use super::metrics::{
+    KB_F_MAXIMUM, MEASURES, PEAK_TO_315, V_SLOW_MAXIMUM, V_W_SLOW_MAXIMUM, VDV, told, where_text,
+};
+use super::pictures::figure;
+use crate::assessment::{GuideValue, Quantity, Reference};
 use crate::figure::{Figure, LineFigure, Series, Stroke};
 use crate::study::speed_text;
 
@@ -21,7 +23,7 @@ struct Comparison {
     level: bool,
 }
 
-const COMPARISONS: [Comparison; 3] = [
+const COMPARISONS: [Comparison; 5] = [
     Comparison {
         measure: KB_F_MAXIMUM,
         name: "kb_distance",
@@ -46,30 +48,52 @@ const COMPARISONS: [Comparison; 3] = [
         why: "which are for all of 16 h: n like passes have n^¼ times the dose of one",
         level: false,
     },
+    Comparison {
+        measure: V_W_SLOW_MAXIMUM,
+        name: "v_w_distance",
+        drawn: &[],
+        named: &[],
+        why: "",
+        level: false,
+    },
+    Comparison {
+        measure: PEAK_TO_315,
+        name: "ppv_distance",
+        drawn: &[Quantity::PeakVelocity],
+        named: &[],
+        why: "",
+        level: false,
+    },
 ];
 
 impl PassVelocities<'_> {
     /// Measures against distance with the guide values of standards, which hold inside buildings and for what the standard says.
     pub(super) fn guide_figures(&self) -> Vec<(Figure, String)> {
-        COMPARISONS.iter().map(|of| self.guide_figure(of)).collect()
+        let guides = &self.study.assessment.guides;
+        let asked = |of: &&Comparison| guides.is_empty() || told(guides).contains(&of.measure);
+        COMPARISONS.iter().filter(asked).map(|of| self.guide_figure(of)).collect()
     }
 
     fn guide_figure(&self, of: &Comparison) -> (Figure, String) {
         let study = self.study;
+        let (place, metrics) = self.judged();
         let measure = &MEASURES[of.measure];
-        let unit = if of.level { "VdB re 1 µin/s" } else { measure.unit() };
+        let (unit, scale) = match measure.unit() {
+            _ if of.level => ("VdB re 1 µin/s", 1.0),
+            "m/s" => ("mm/s", 1e3),
+            unit => (unit, 1.0),
+        };
         let y_label = format!("{} [{}]", measure.symbol, if unit == "1" { "-" } else { unit });
         let title = format!("{} of one pass against distance, {}", measure.symbol, speed_text(study.speed));
         let labels = ("distance from the centre line [m]", y_label.as_str());
         let mut picture = figure(format!("free_field_{}", of.name), title, labels, true);
         picture.log_y = !of.level;
-        let convert = |v: f64| if of.level { 20.0 * (v / Reference::VdB.velocity()).log10() } else { v };
+        let convert =
+            |v: f64| if of.level { 20.0 * (v / Reference::VdB.velocity()).log10() } else { scale * v };
         let points = |name: &str, pick: fn((f64, f64, f64)) -> f64, stroke| Series {
             name: name.into(),
             x: study.receivers.clone(),
-            y: (0..study.receivers.len())
-                .map(|r| convert(pick(self.metrics.spread(of.measure, r))))
-                .collect(),
+            y: (0..study.receivers.len()).map(|r| convert(pick(metrics.spread(of.measure, r)))).collect(),
             stroke,
         };
         if self.histories.len() > 1 {
@@ -78,53 +102,51 @@ impl PassVelocities<'_> {
         } else {
             picture.series.push(points(measure.symbol, |s| s.0, Stroke::Solid));
         }
-        of.draw([0.9 * study.receivers[0], 1.1 * self.pass.farthest()], &mut picture);
-        (
-            Figure::Lines(picture),
-            format!("{}, on the ground's surface without a building{}", measure.what, of.caption()),
-        )
+        let values = study.assessment.guide_values();
+        draw(&of_quantities(&values, of.drawn), &mut picture);
+        (Figure::Lines(picture), format!("{}, {}{}", measure.what, where_text(place), of.caption(&values)))
     }
 }
 
-impl Comparison {
-    /// Adds a dashed line from one of `ends` to the other for every guide value; one for those that coincide, as far as a legend is
-    /// wide.
-    fn draw(&self, ends: [f64; 2], picture: &mut LineFigure) {
-        for guide in self.drawn.iter().flat_map(|q| guide_values(*q)) {
-            let standard = guide.standard.split([':', ' ']).next().unwrap_or("");
-            let name = format!("{standard} {}: {}", guide.name, guide.criterion);
-            let same = |s: &&mut Series| {
-                s.stroke == Stroke::Dashed && s.y == [guide.value; 2] && s.name.len() + name.len() < 110
-            };
-            match picture.series.iter_mut().find(same) {
-                Some(line) => line.name = format!("{}; {name}", line.name),
-                None => picture.series.push(Series {
-                    name,
-                    x: ends.to_vec(),
-                    y: vec![guide.value; 2],
-                    stroke: Stroke::Dashed,
-                }),
-            }
+/// Those of `values` that are of one of `quantities`, quantity by quantity.
+pub(super) fn of_quantities<'a>(values: &'a [GuideValue], quantities: &[Quantity]) -> Vec<&'a GuideValue> {
+    quantities.iter().flat_map(|q| values.iter().filter(move |g| g.quantity == *q)).collect()
+}
+
+/// Adds a line across the picture for every guide value, labelled at its end; one for those that coincide, as far as there is room.
+pub(super) fn draw(values: &[&GuideValue], picture: &mut LineFigure) {
+    for guide in values {
+        let name = format!("{} {}", guide.guide.short(), guide.name);
+        let same =
+            |(value, label): &&mut (f64, String)| *value == guide.value && label.len() + name.len() < 90;
+        match picture.levels.iter_mut().find(same) {
+            Some((_, label)) => *label = format!("{label}; {name}"),
+            None => picture.levels.push((guide.value, name)),
         }
     }
+}
 
+/// `values` with their standards and what they mean.
+pub(super) fn list(values: &[&GuideValue]) -> String {
+    let one = |g: &&GuideValue| {
+        format!("{}, {}: {} ({}; {})", g.guide.standard(), g.name, g.value, g.criterion, g.note)
+    };
+    values.iter().map(one).collect::<Vec<_>>().join("; ")
+}
+
+impl Comparison {
     /// The guide values with their standards: those drawn, and those that one pass cannot be compared with.
-    fn caption(&self) -> String {
-        let list = |quantities: &[Quantity]| -> String {
-            let all = quantities.iter().flat_map(|q| guide_values(*q));
-            let one = |g: &crate::assessment::GuideValue| {
-                format!("{}, {}: {} ({})", g.standard, g.name, g.value, g.note)
-            };
-            all.map(one).collect::<Vec<_>>().join("; ")
-        };
+    fn caption(&self, values: &[GuideValue]) -> String {
+        let list = |quantities: &[Quantity]| list(&of_quantities(values, quantities));
+        let some = |quantities: &[Quantity]| !of_quantities(values, quantities).is_empty();
         let mut caption = String::new();
-        if !self.drawn.is_empty() {
+        if some(self.drawn) {
             caption += &format!(
                 "; guide values, which hold inside buildings, are drawn to compare, not to judge: {}",
                 list(self.drawn)
             );
         }
-        if !self.named.is_empty() {
+        if some(self.named) {
             caption += &format!(". Not compared with guide values {}: {}", self.why, list(self.named));
         }
         caption + "."
@@ -134,10 +156,15 @@ impl Comparison {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::study::free_field::Assessment;
+
+    fn all() -> Vec<GuideValue> {
+        Assessment::default().guide_values()
+    }
 
     fn drawn(of: &Comparison) -> LineFigure {
         let mut picture = figure("n".into(), "t".into(), ("x", "y"), true);
-        of.draw([5.0, 20.0], &mut picture);
+        draw(&of_quantities(&all(), of.drawn), &mut picture);
         picture
     }
 
@@ -145,31 +172,33 @@ mod tests {
     #[test]
     fn the_dose_of_one_pass_meets_no_guide_value_of_a_day() {
         let dose = COMPARISONS.iter().find(|of| of.measure == VDV).unwrap();
-        assert_eq!(drawn(dose).series, []);
-        let caption = dose.caption();
+        assert_eq!(drawn(dose).levels, []);
+        let caption = dose.caption(&all());
         for said in ["Not compared", "n like passes have n^¼ times", "BS 6472-1:2008", ": 0.2 ("] {
             assert!(caption.contains(said), "no \"{said}\" in {caption}");
         }
     }
 
     #[test]
-    fn lines_of_kb_carry_their_criterion() {
+    fn lines_of_kb_are_labelled_and_their_criterion_is_told() {
         let kb = COMPARISONS.iter().find(|of| of.measure == KB_F_MAXIMUM).unwrap();
-        let lines = drawn(kb).series;
-        let names: String = lines.iter().map(|s| format!("{}\n", s.name)).collect();
-        for said in
-            ["A_u residential, day: enough if KB_Fmax ≤ A_u", "missed if KB_Fmax > A_o", "enough if V_max"]
-        {
-            assert!(names.contains(said), "no \"{said}\" in {names}");
-        }
+        let lines = drawn(kb).levels;
+        let names: String = lines.iter().map(|(_, label)| format!("{label}\n")).collect();
+        assert!(names.contains("DIN 4150-2 A_u residential, day\n"), "{names}");
         // A_r and A_3 belong to KB_FTr and V_per: no line, but a word
         assert!(!names.contains("A_r ") && !names.contains("A_3 dwellings"), "{names}");
-        assert!(
-            kb.caption().contains("need the passes of a day: DIN 4150-2:1999, A_r residential, day: 0.07")
-        );
-        // every value is on a line: 3, 0.15, 0.4, 0.2 and 0.1
-        for value in [3.0, 0.15, 0.4, 0.2, 0.1] {
-            assert!(lines.iter().any(|s| s.y == [value; 2]), "{value}");
+        let caption = kb.caption(&all());
+        for said in [
+            "A_u residential, day: 0.15 (enough if KB_Fmax ≤ A_u; ",
+            "missed if KB_Fmax > A_o",
+            "enough if V_max",
+            "need the passes of a day: DIN 4150-2:1999, A_r residential, day: 0.07",
+        ] {
+            assert!(caption.contains(said), "no \"{said}\" in {caption}");
+        }
+        // every value is on a line: 3, 0.15, 0.4, 0.2 and 0.1, and where a cause is looked into
+        for value in [3.0, 0.15, 0.4, 0.2, 0.1, 0.6] {
+            assert!(lines.iter().any(|line| line.0 == value), "{value}");
         }
     }
 }

@@ -1,7 +1,9 @@
 //! What the histories of a pass are to people and to standards.
 
 use crate::assessment::{
-    Averaging, Weighting, kb_f, kb_f_maximum, maximum_running_rms, peak_velocity, vibration_dose,
+    Averaging, Band, Guide, PassageSpectrum, Weighting, WorkingRange, clock_maxima, clock_maximum_rms, kb_f,
+    kb_f_maximum, maximum_running_rms, passage_spectrum, peak_velocity, peak_velocity_within, vibration_dose,
+    weighted_velocity,
 };
 use crate::field::Times;
 use crate::signal::{History, SignalError};
@@ -16,7 +18,26 @@ pub struct Measure {
     pub symbol: &'static str,
     pub units: &'static str,
     pub what: &'static str,
-    of: fn(&History) -> f64,
+    of: fn(&History, Direction) -> f64,
+}
+
+/// Of a velocity, for what weighs directions differently.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Up and down.
+    Vertical,
+    /// Along the ground.
+    Horizontal,
+}
+
+impl Direction {
+    /// W_b or W_d, BS 6472-1.
+    fn weighting(self) -> Weighting {
+        match self {
+            Self::Vertical => Weighting::Wb,
+            Self::Horizontal => Weighting::Wd,
+        }
+    }
 }
 
 /// Three digits of `value`, with a power of ten where it is small.
@@ -29,6 +50,11 @@ pub fn significant(value: f64) -> String {
 }
 
 impl Measure {
+    /// Its value for a velocity [m/s] in one direction.
+    pub fn of(&self, velocity: &History, direction: Direction) -> f64 {
+        (self.of)(velocity, direction)
+    }
+
     /// A value of it in units a reader expects, as text without unit.
     pub fn number(&self, value: f64) -> String {
         significant(if self.units == "m s-1" { 1e3 * value } else { value })
@@ -60,45 +86,86 @@ pub const PEAK_VELOCITY: usize = 0;
 pub const V_SLOW_MAXIMUM: usize = 2;
 pub const KB_F_MAXIMUM: usize = 3;
 pub const VDV: usize = 5;
-/// Those a reader is told; the others are in the files.
-pub const TOLD: [usize; 4] = [PEAK_VELOCITY, V_SLOW_MAXIMUM, KB_F_MAXIMUM, VDV];
+pub const V_W_SLOW_MAXIMUM: usize = 7;
+pub const PEAK_TO_80: usize = 8;
+pub const PEAK_TO_315: usize = 9;
+pub const KB_CLOCK: usize = 10;
+pub const KB_PASS: usize = 11;
+
+/// Those a reader is told who asks for `guides`, of none the usual ones; the others are in the files.
+pub fn told(guides: &[Guide]) -> Vec<usize> {
+    if guides.is_empty() {
+        return vec![PEAK_VELOCITY, V_SLOW_MAXIMUM, KB_F_MAXIMUM, VDV];
+    }
+    let of = |guide: &Guide| match guide {
+        Guide::Din4150Part2 => vec![KB_F_MAXIMUM, KB_CLOCK],
+        Guide::Din4150Part3 => vec![PEAK_TO_80, PEAK_TO_315],
+        Guide::Bs6472Part1 => vec![VDV],
+        Guide::Ns8176 => vec![V_W_SLOW_MAXIMUM],
+        Guide::SbrB => vec![KB_F_MAXIMUM],
+        Guide::Fta => vec![V_SLOW_MAXIMUM],
+    };
+    let mut told = vec![PEAK_VELOCITY];
+    told.extend(guides.iter().flat_map(of));
+    told.sort_unstable();
+    told.dedup();
+    told
+}
+
+/// ", floor, estimate"; nothing of the open ground.
+pub fn estimated(place: &str) -> String {
+    if place.is_empty() { String::new() } else { format!(", {place}, estimate") }
+}
+
+/// Where something was found.
+pub fn where_text(place: &str) -> String {
+    match place {
+        "" => "on the ground's surface without a building".to_owned(),
+        place => format!("on the {place}, estimated by table"),
+    }
+}
+
+/// Root of the sum of squares of the clock maxima of one pass.
+fn kb_pass(velocity: &History) -> f64 {
+    clock_maxima(&kb_f(velocity)).iter().map(|kb| kb * kb).sum::<f64>().sqrt()
+}
 
 /// The measures, all of the vertical velocity of the ground's surface.
-pub const MEASURES: [Measure; 7] = [
+pub const MEASURES: [Measure; 12] = [
     Measure {
         key: "peak_velocity",
         symbol: "PPV",
         units: "m s-1",
         what: "peak particle velocity, vertical, unweighted",
-        of: peak_velocity,
+        of: |v, _| peak_velocity(v),
     },
     Measure {
         key: "v_fast_maximum",
         symbol: "v_F,max",
         units: "m s-1",
         what: "largest running r.m.s. velocity, FAST (0.125 s), unweighted",
-        of: |v| maximum_running_rms(v, Averaging::Fast),
+        of: |v, _| maximum_running_rms(v, Averaging::Fast),
     },
     Measure {
         key: "v_slow_maximum",
         symbol: "v_S,max",
         units: "m s-1",
         what: "largest running r.m.s. velocity, SLOW (1 s), unweighted",
-        of: |v| maximum_running_rms(v, Averaging::Slow),
+        of: |v, _| maximum_running_rms(v, Averaging::Slow),
     },
     Measure {
         key: "kb_f_maximum",
         symbol: "KB_Fmax",
         units: "1",
         what: "largest KB_F(t), DIN 45669-1, FAST",
-        of: kb_f_maximum,
+        of: |v, _| kb_f_maximum(v),
     },
     Measure {
         key: "a_wm_slow_maximum",
         symbol: "a_w,max",
         units: "m s-2",
         what: "largest running r.m.s. acceleration, W_m of ISO 2631-2, SLOW (1 s)",
-        of: |v| maximum_running_rms(&Weighting::Wm.of_velocity(v), Averaging::Slow),
+        of: |v, _| maximum_running_rms(&Weighting::Wm.of_velocity(v), Averaging::Slow),
     },
     Measure {
         key: "vdv_wb",
@@ -106,14 +173,49 @@ pub const MEASURES: [Measure; 7] = [
         // UDUNITS knows no broken powers: it reads m s-1.75 as 0.75 m/s, and refuses this
         units: "m/s^(7/4)",
         what: "vibration dose of one pass, W_b, BS 6472-1",
-        of: |v| vibration_dose(&Weighting::Wb.of_velocity(v)),
+        of: |v, direction| vibration_dose(&direction.weighting().of_velocity(v)),
     },
     Measure {
         key: "exposure",
         symbol: "∫v² dt",
         units: "m2 s-1",
         what: "energy of the pass, unweighted",
-        of: History::energy,
+        of: |v, _| v.energy(),
+    },
+    Measure {
+        key: "v_w_slow_maximum",
+        symbol: "V_S,max",
+        units: "m s-1",
+        what: "largest running r.m.s. of the weighted velocity, W_m of ISO 2631-2, SLOW (1 s), as of NS 8176",
+        of: |v, _| maximum_running_rms(&weighted_velocity(v), Averaging::Slow),
+    },
+    Measure {
+        key: "peak_velocity_1_80_hz",
+        symbol: "PPV (1 to 80 Hz)",
+        units: "m s-1",
+        what: "peak particle velocity, vertical, 1 to 80 Hz of DIN 45669-1",
+        of: |v, _| peak_velocity_within(v, WorkingRange::To80),
+    },
+    Measure {
+        key: "peak_velocity_1_315_hz",
+        symbol: "PPV (1 to 315 Hz)",
+        units: "m s-1",
+        what: "peak particle velocity, vertical, 1 to 315 Hz of DIN 45669-1",
+        of: |v, _| peak_velocity_within(v, WorkingRange::To315),
+    },
+    Measure {
+        key: "kb_ftm",
+        symbol: "KB_FTm",
+        units: "1",
+        what: "r.m.s. of the clock maxima of the intervals of 30 s that the pass occupies, DIN 4150-2",
+        of: |v, _| clock_maximum_rms(&clock_maxima(&kb_f(v))),
+    },
+    Measure {
+        key: "kb_pass",
+        symbol: "√ΣKB²_FTi",
+        units: "1",
+        what: "root of the sum of squares of the clock maxima of one pass, DIN 4150-2",
+        of: |v, _| kb_pass(v),
     },
 ];
 
@@ -123,34 +225,44 @@ pub struct Metrics {
     pub values: Vec<Array2<f64>>,
     /// KB_F(t) for the first profile, receivers × times.
     pub kb_f: Array2<f64>,
+    /// Third octaves of the first profile, for each receiver.
+    pub spectra: Vec<PassageSpectrum>,
 }
 
 impl Metrics {
-    /// Of velocities [m/s], receivers × times, of each profile.
+    /// Of velocities [m/s], receivers × times, of each profile, and their third octaves in `bands`.
     ///
     /// # Errors
     /// A velocity that is not a number.
-    pub fn of(histories: &[Array2<f64>], times: Times) -> Result<Self, SignalError> {
+    pub fn of(histories: &[Array2<f64>], times: Times, bands: &[Band]) -> Result<Self, SignalError> {
         let receivers = histories[0].nrows();
         let rows: Vec<Vec<f64>> = (0..histories.len() * receivers)
             .into_par_iter()
             .map(|i| {
                 let row = histories[i / receivers].row(i % receivers);
                 let history = History::new(times.step, row.to_vec())?;
-                Ok(MEASURES.iter().map(|m| (m.of)(&history)).collect())
+                Ok(MEASURES.iter().map(|m| m.of(&history, Direction::Vertical)).collect())
             })
             .collect::<Result<_, SignalError>>()?;
         let shape = (histories.len(), receivers);
         let table = |m: usize| Array2::from_shape_fn(shape, |(i, r)| rows[i * receivers + r][m]);
-        let kb_f: Vec<History> = histories[0]
+        let first: Vec<History> = histories[0]
             .rows()
             .into_iter()
-            .map(|row| Ok(kb_f(&History::new(times.step, row.to_vec())?)))
+            .map(|row| History::new(times.step, row.to_vec()))
             .collect::<Result<_, SignalError>>()?;
+        let kb_f: Vec<History> = first.iter().map(kb_f).collect();
         Ok(Self {
             values: (0..MEASURES.len()).map(table).collect(),
             kb_f: Array2::from_shape_fn((receivers, times.count), |(r, i)| kb_f[r].values()[i]),
+            spectra: first.iter().map(|velocity| passage_spectrum(velocity, bands)).collect(),
         })
+    }
+
+    /// ⟨xⁿ⟩^{1/n} over the profiles, of measure number `m` at receiver number `r`.
+    pub fn mean_of_powers(&self, m: usize, r: usize, n: i32) -> f64 {
+        let column = self.values[m].column(r);
+        (column.iter().map(|x| x.powi(n)).sum::<f64>() / column.len() as f64).powf(1.0 / f64::from(n))
     }
 
     /// Mean, least and largest over the profiles, of measure number `m` at receiver number `r`.

@@ -9,14 +9,21 @@
 //!
 //! and histories. The physics of both is that of [`crate::field`].
 
+pub(in crate::study) mod assessed;
+mod building;
 mod check;
 mod dataset;
 mod doubts;
 mod guides;
-mod metrics;
+pub(in crate::study) mod metrics;
+pub(in crate::study) mod pictures;
+mod profile;
 mod roughness;
 mod shown;
+mod table;
 
+pub use assessed::{Assessment, OtherTrain, Passes};
+pub use building::{Building, SOUND};
 pub use roughness::{Carrier, Irregularity, Roughness};
 
 use super::contour::check_memory;
@@ -53,6 +60,10 @@ pub struct FreeField {
     /// What answers for the ground across the track, many β and receivers at one ω, where exact solvers may not leave the real axis for a
     /// path lifted off the poles; None: the solver of the model. Modes do that in closed form.
     pub sections: Option<Solver>,
+    /// What the motion is held against.
+    pub assessment: Assessment,
+    /// What a building makes of it.
+    pub building: Building,
 }
 
 /// Integrals that missed their accuracy, and contact forces that could not be followed, by what factor (at most 1: reached).
@@ -126,7 +137,8 @@ impl FreeField {
             }
             _ => smooth,
         };
-        let metrics = metrics::Metrics::of(&histories, times)?;
+        let metrics = metrics::Metrics::of(&histories, times, &self.bands)?;
+        let estimates = self.building.estimates(&histories, times, &self.bands)?;
         Ok(PassVelocities {
             study: self,
             railway,
@@ -137,6 +149,7 @@ impl FreeField {
             histories,
             times,
             metrics,
+            estimates,
             driven,
             sections: sections.as_ref().filter(|s| s.lifted()).map_or(otherwise, |_| ground.solver).name(),
             worst,
@@ -151,6 +164,7 @@ impl FreeField {
     pub fn run(&self, railway: &Railway, observer: &dyn Observer) -> Result<Outcome, StudyError> {
         let answer = self.solve(railway, observer)?;
         let mut concerns = self.concerns(railway);
+        concerns.extend(self.building.concerns(&self.bands));
         concerns.extend(answer.concerns());
         concerns.extend(answer.contradictions()?);
         concerns.extend(missed(answer.worst, answer.forces_worst));
@@ -160,6 +174,7 @@ impl FreeField {
             figures: answer.figures(&velocities),
             answers: answer.answers(&velocities)?,
             concerns,
+            tables: answer.tables(&velocities),
         })
     }
 
@@ -236,6 +251,7 @@ pub struct PassVelocities<'a> {
     /// Times of the histories.
     pub times: Times,
     metrics: metrics::Metrics,
+    estimates: Vec<building::Estimate>,
     driven: Vec<Driven>,
     /// Name of the solver that answered across the track.
     sections: &'static str,
@@ -259,8 +275,8 @@ impl Rough<'_> {
     fn shaken(&self, smooth: Shaken, times: Times, observer: &dyn Observer) -> Result<Shaken, StudyError> {
         let Self { pass, roughness, sections, .. } = self;
         let (speed, irregularity) = (pass.speed, &roughness.irregularity);
-        let contact = vec![roughness.contact; roughness.bodies.wheelset_count()];
-        let wheels = WheelRail { track: self.track, bodies: &roughness.bodies, contact: &contact, speed };
+        let (bodies, contact) = (&roughness.bodies, &roughness.contact[..]);
+        let wheels = WheelRail { track: self.track, bodies, contact, speed };
         let (least, most) = irregularity.wavenumbers();
         let range = (least, most.min(pass.heard(sections)).max(least));
         let mut forces = ContactForces::new(&wheels, range, observer)?;

@@ -103,7 +103,7 @@ pub struct Roughness {
     /// The whole train; its wheelsets stand where the axles of [`Train`] do, in their order.
     pub bodies: Multibody,
     /// k_H of each wheelset [N/m].
-    pub contact: f64,
+    pub contact: Vec<f64>,
     /// The profile, or what is known of it.
     pub irregularity: Irregularity,
 }

@@ -1,21 +1,12 @@
 //! What a reader sees of the free field: answers and pictures.
 
-use super::metrics::{MEASURES, TOLD, V_SLOW_MAXIMUM, significant};
+use super::metrics::{MEASURES, Metrics, V_SLOW_MAXIMUM, estimated, significant, told};
+use super::pictures::{band_figure, figure, seen, steps};
 use super::{Irregularity, PassVelocities};
 use crate::assessment::{Band, Level, Reference};
-use crate::figure::{Figure, LineFigure, Series, Stroke};
+use crate::figure::{Figure, Series, Stroke};
 use crate::study::{Answer, StudyError, speed_text};
 use ndarray::Array2;
-
-/// `value` where a logarithmic picture has room for it beside `largest`, else a gap in the curve.
-fn seen(value: f64, largest: f64) -> f64 {
-    if value > 1e-4 * largest { value } else { f64::NAN }
-}
-
-/// A figure without its curves.
-pub(super) fn figure(name: String, title: String, labels: (&str, &str), log: bool) -> LineFigure {
-    LineFigure { log_x: log, log_y: log, ..LineFigure::new(name, title, labels.0, labels.1) }
-}
 
 impl PassVelocities<'_> {
     /// R.m.s. of the profile; levels, strongest bands, where the dynamic part takes over, and measures, for each receiver.
@@ -24,9 +15,16 @@ impl PassVelocities<'_> {
         for (r, y) in self.study.receivers.iter().enumerate() {
             answers.push(self.level_answer(velocities, r, *y)?);
             answers.extend(self.band_answers(velocities, r, *y));
-            for m in TOLD {
-                answers.push(self.measure_answer(m, r, *y)?);
+            for m in told(&self.study.assessment.guides) {
+                answers.push(self.measure_answer(m, r, *y, ("", &self.metrics))?);
             }
+            for estimate in &self.estimates {
+                for m in told(&self.study.assessment.guides) {
+                    answers.push(self.measure_answer(m, r, *y, (estimate.place, &estimate.metrics))?);
+                }
+            }
+            answers.extend(self.noise_answer(&velocities[2], r, *y));
+            answers.extend(self.day_answers(r, *y));
         }
         Ok(answers)
     }
@@ -82,10 +80,16 @@ impl PassVelocities<'_> {
         answers
     }
 
-    /// Measure number `m`: its mean over the profiles, and from where to where it reaches.
-    fn measure_answer(&self, m: usize, r: usize, y: f64) -> Result<Answer, StudyError> {
+    /// Measure number `m` at a place: its mean over the profiles, and from where to where it reaches.
+    fn measure_answer(
+        &self,
+        m: usize,
+        r: usize,
+        y: f64,
+        (place, metrics): (&str, &Metrics),
+    ) -> Result<Answer, StudyError> {
         let measure = &MEASURES[m];
-        let (mean, least, most) = self.metrics.spread(m, r);
+        let (mean, least, most) = metrics.spread(m, r);
         let mut shown = measure.shown(mean);
         if self.histories.len() > 1 {
             let (least, most) = (measure.number(least), measure.number(most));
@@ -94,12 +98,13 @@ impl PassVelocities<'_> {
         if m == V_SLOW_MAXIMUM && mean > 0.0 {
             shown = format!("{shown}; {}", Level::of(mean, Reference::VdB)?);
         }
-        let what = format!("{} at {y} m", measure.symbol);
-        Ok(Answer::new(&format!("{}_{y}", measure.key), what, mean, measure.unit(), shown))
+        let what = format!("{} at {y} m{}", measure.symbol, estimated(place));
+        let key = if place.is_empty() { measure.key.to_owned() } else { format!("{}_{place}", measure.key) };
+        Ok(Answer::new(&format!("{key}_{y}"), what, mean, measure.unit(), shown))
     }
 
     /// Which profile the histories belong to.
-    fn which(&self) -> String {
+    pub(super) fn which(&self) -> String {
         match self.study.roughness.as_ref().map(|r| &r.irregularity) {
             None => "Smooth rail.".into(),
             Some(Irregularity::Random { spectrum, seed, .. }) => {
@@ -112,35 +117,30 @@ impl PassVelocities<'_> {
     /// Bands of each receiver and of all, velocity against distance, contact force, histories, measures beside guide values.
     pub(super) fn figures(&self, velocities: &[Array2<f64>; 3]) -> Vec<(Figure, String)> {
         let mut figures = self.band_figures(velocities);
+        figures.extend(self.building_figures(&velocities[2]));
+        figures.extend(self.profile_figures());
         figures.extend(self.force_figure());
         figures.extend(self.history_figures());
         figures.extend(self.guide_figures());
+        figures.extend(self.day_figures());
         figures
     }
 
     fn band_figures(&self, velocities: &[Array2<f64>; 3]) -> Vec<(Figure, String)> {
         let study = self.study;
-        let at = speed_text(study.speed);
-        let centres: Vec<f64> = study.bands.iter().map(|band| band.centre()).collect();
-        let labels = ("one-third-octave band [Hz]", "r.m.s. velocity [mm/s]");
-        let row = |v: &Array2<f64>, r: usize| v.row(r).iter().map(|v| 1e3 * v).collect::<Vec<_>>();
-        let largest = |v: &mut dyn Iterator<Item = &f64>| 1e3 * v.fold(0.0, |m: f64, v| m.max(*v));
-        let line = |name: String, y: Vec<f64>, stroke, largest: f64| Series {
-            name,
-            x: centres.clone(),
-            y: y.into_iter().map(|y| seen(y, largest)).collect(),
-            stroke,
-        };
+        let (at, levels) = (speed_text(study.speed), study.assessment.levels);
+        let row = |v: &Array2<f64>, r: usize| v.row(r).to_vec();
+        let largest = |v: &mut dyn Iterator<Item = &f64>| v.fold(0.0, |m: f64, v| m.max(*v));
         let names = [("quasi-static", Stroke::Dashed), ("dynamic", Stroke::Points), ("total", Stroke::Solid)];
         let rough = study.roughness.is_some();
         let mut figures = Vec::new();
         for (r, y) in study.receivers.iter().enumerate() {
-            let name = format!("free_field_{y}");
-            let mut picture = figure(name, format!("Ground velocity at {y} m, {at}"), labels, true);
+            let (name, title) = (format!("free_field_{y}"), format!("Ground velocity at {y} m, {at}"));
+            let mut picture = band_figure(name, title, &study.bands, levels);
+            let most = largest(&mut velocities[2].row(r).iter());
             for (&(name, stroke), v) in names.iter().zip(velocities) {
                 if rough || name == "total" {
-                    let largest = largest(&mut velocities[2].row(r).iter());
-                    picture.series.push(line(name.into(), row(v, r), stroke, largest));
+                    picture.series.push(steps(name.into(), &study.bands, &row(v, r), (stroke, levels, most)));
                 }
             }
             let caption = format!(
@@ -150,17 +150,18 @@ impl PassVelocities<'_> {
             );
             figures.push((Figure::Lines(picture), caption));
         }
-        let mut picture =
-            figure("free_field_receivers".into(), format!("Ground velocity, {at}"), labels, true);
-        let receivers = study.receivers.iter().enumerate();
+        let title = format!("Ground velocity, {at}");
+        let mut picture = band_figure("free_field_receivers".into(), title, &study.bands, levels);
         let all = largest(&mut velocities[2].iter());
-        picture.series = receivers
-            .map(|(r, y)| line(format!("{y} m"), row(&velocities[2], r), Stroke::Solid, all))
+        picture.series = (study.receivers.iter().enumerate())
+            .map(|(r, y)| {
+                steps(format!("{y} m"), &study.bands, &row(&velocities[2], r), (Stroke::Solid, levels, all))
+            })
             .collect();
         figures.push((Figure::Lines(picture), "Total of all receivers.".into()));
         if study.receivers.len() > 1 {
             let sums = |v: &Array2<f64>| {
-                let sum = |r| row(v, r).iter().map(|v| v * v).sum::<f64>().sqrt();
+                let sum = |r| 1e3 * row(v, r).iter().map(|v| v * v).sum::<f64>().sqrt();
                 (0..study.receivers.len()).map(sum).collect::<Vec<f64>>()
             };
             let labels = ("distance from the centre line [m]", "r.m.s. velocity [mm/s]");
@@ -194,6 +195,16 @@ impl PassVelocities<'_> {
         Some((Figure::Lines(picture), caption))
     }
 
+    /// First and one after the last sample at which KB_F is above 2 % of its largest value anywhere.
+    fn felt(&self) -> (usize, usize) {
+        let kb_f = &self.metrics.kb_f;
+        let least = 0.02 * kb_f.iter().copied().fold(0.0, f64::max);
+        let felt = |i: &usize| kb_f.column(*i).iter().any(|kb| *kb > least);
+        let count = kb_f.ncols();
+        let first = (0..count).find(felt).unwrap_or(0);
+        (first, (first..count).rev().find(felt).map_or(count, |last| last + 1))
+    }
+
     fn history_figures(&self) -> Vec<(Figure, String)> {
         let study = self.study;
         let at = speed_text(study.speed);
@@ -219,14 +230,15 @@ impl PassVelocities<'_> {
         }
         let title = format!("KB_F(t), {at}");
         let mut picture = figure("free_field_kb".into(), title, (axis, "KB_F [-]"), false);
+        let (from, to) = self.felt();
         picture.series = study
             .receivers
             .iter()
             .enumerate()
             .map(|(r, y)| Series {
                 name: format!("{y} m"),
-                x: time.clone(),
-                y: self.metrics.kb_f.row(r).to_vec(),
+                x: time[from..to].to_vec(),
+                y: self.metrics.kb_f.row(r).to_vec()[from..to].to_vec(),
                 stroke: Stroke::Solid,
             })
             .collect();

@@ -16,7 +16,7 @@ use crate::irregularity::{Defect, JenkinsWheel, LumpedTrack, Unevenness};
 use crate::progress::Observer;
 use crate::rail::fem::{Fault, FemError, Form, Mesh, Model, Scheme};
 use crate::railway::Railway;
-use crate::vehicle::{Axle, Hertz, Multibody};
+use crate::vehicle::{Axle, ContactSpring, Hertz, Multibody};
 use doubts::BAY;
 use plan::Plan;
 use rayon::prelude::*;
@@ -175,17 +175,18 @@ impl Passage {
             return Ok(OnRails { axles, wheels: None, waves: smooth.clone(), defects: smooth });
         };
         let bodies = if share < 1.0 { running.bodies.per_rail() } else { running.bodies.clone() };
-        let mean = share * train.total_load() / axles.len() as f64;
-        let hertz = Hertz::through(share * running.contact, mean)?;
-        let law = |axle: &Axle| match running.law {
-            ContactLaw::NonLinear => Law::Hertz(hertz),
-            ContactLaw::Linear => Law::Linear {
-                stiffness: share * running.contact,
-                load: axle.load,
-                approach: hertz.approach(axle.load),
-            },
+        let law = |(axle, spring): (&Axle, &ContactSpring)| {
+            let stiffness = share * spring.stiffness;
+            let hertz = Hertz::through(stiffness, share * spring.load)?;
+            Ok(match running.law {
+                ContactLaw::NonLinear => Law::Hertz(hertz),
+                ContactLaw::Linear => {
+                    Law::Linear { stiffness, load: axle.load, approach: hertz.approach(axle.load) }
+                }
+            })
         };
-        let laws = bodies.axles().iter().map(law).collect();
+        let laws = bodies.axles().iter().zip(&running.contact).map(law);
+        let laws = laws.collect::<Result<_, StudyError>>()?;
         let way = self.run.1 - self.run.0 + train.length();
         let waves = running.waves(way)?.between(self.run.0 - train.length(), self.run.1);
         let axles = bodies.axles().to_vec();

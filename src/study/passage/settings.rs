@@ -4,7 +4,7 @@ use crate::irregularity::Defect;
 use crate::rail::fem::Ends;
 use crate::study::Irregularity;
 use crate::track::{Caughey, Rails};
-use crate::vehicle::Multibody;
+use crate::vehicle::{ContactSpring, Multibody};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -65,8 +65,8 @@ pub enum Step {
 pub struct Running {
     /// The whole train; its wheelsets stand where its axles do, in their order.
     pub bodies: Multibody,
-    /// k_H of each wheelset [N/m].
-    pub contact: f64,
+    /// Of each wheelset, in the same order.
+    pub contact: Vec<ContactSpring>,
     /// How they press.
     pub law: ContactLaw,
     /// What they roll over besides defects.

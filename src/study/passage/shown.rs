@@ -337,6 +337,7 @@ fn waterfall(run: &Run) -> (Figure, String) {
         x: run.fall.x.clone(),
         y: run.fall.time.clone(),
         values: run.fall.values.mapv(|u| 1e3 * u),
+        holds: None,
         symmetric: true,
         equal_axes: false,
         overlay: Vec::new(),

@@ -71,6 +71,7 @@ impl Surface {
                 x: self.x.clone(),
                 y: self.y.clone(),
                 values,
+                holds: None,
                 symmetric,
                 equal_axes: true,
                 overlay: Vec::new(),

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 /// Wavenumbers and frequencies of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceComplianceTable {
-    /// k [rad/m], above zero.
+    /// k [rad/m], not negative; 0 is vertical incidence: the compliance of a column, u_zz of P, u_xx and u_yy of S waves.
     pub k: Vec<f64>,
     /// f [Hz]
     pub frequencies: Vec<f64>,

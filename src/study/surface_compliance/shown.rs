@@ -20,8 +20,17 @@ const COMPONENTS: [Component; 4] = [
 impl Compliances {
     /// Everything a run leaves.
     pub(super) fn shown(&self) -> Outcome {
-        let caption = "Modulus of the vertical compliance, one curve per frequency.";
-        Outcome { group: self.group(), figures: vec![(self.figure(), caption.into())], ..Outcome::default() }
+        let column = self.k.len() == 1 && self.frequencies.len() > 1;
+        let (figure, caption) = if column {
+            let waves = if self.k[0] == 0.0 { ": vertical incidence, P and S waves of a column" } else { "" };
+            (
+                self.over_frequency(),
+                format!("Modulus of the compliances at k = {} rad/m{waves}.", trimmed(self.k[0])),
+            )
+        } else {
+            (self.figure(), "Modulus of the vertical compliance, one curve per frequency.".into())
+        };
+        Outcome { group: self.group(), figures: vec![(figure, caption)], ..Outcome::default() }
     }
 
     fn group(&self) -> Group {
@@ -35,8 +44,33 @@ impl Compliances {
         })
     }
 
+    /// At one wavenumber.
+    fn over_frequency(&self) -> Figure {
+        let curve = |(name, of, _): &Component, stroke| Series {
+            name: format!("|{name}|"),
+            x: self.frequencies.clone(),
+            y: self.rows.iter().map(|row| of(&row[0]).norm()).collect(),
+            stroke,
+        };
+        Figure::Lines(LineFigure {
+            log_y: true,
+            series: vec![
+                curve(&COMPONENTS[0], Stroke::Solid),
+                curve(&COMPONENTS[1], Stroke::Solid),
+                curve(&COMPONENTS[3], Stroke::Dashed),
+            ],
+            ..LineFigure::new(
+                "surface_compliance",
+                format!("Compliance of the ground's surface at k = {} rad/m", trimmed(self.k[0])),
+                "frequency [Hz]",
+                "compliance [m/Pa]",
+            )
+        })
+    }
+
     fn figure(&self) -> Figure {
         let several = self.k.len() > 1;
+        let log_x = several && self.k.iter().all(|k| *k > 0.0);
         let curve = |(f, row): (&f64, &Vec<SurfaceCompliance>)| Series {
             name: format!("{} Hz", trimmed(*f)),
             x: self.k.clone(),
@@ -44,7 +78,7 @@ impl Compliances {
             stroke: if several { Stroke::Solid } else { Stroke::Points },
         };
         Figure::Lines(LineFigure {
-            log_x: several,
+            log_x,
             log_y: true,
             series: self.frequencies.iter().zip(&self.rows).map(curve).collect(),
             ..LineFigure::new(

@@ -32,6 +32,8 @@ pub struct Record {
 pub struct TrackResponse {
     /// v [m/s]
     pub speeds: Vec<f64>,
+    /// At which trains are to run [m/s]: one of the speeds.
+    pub line_speed: Option<f64>,
     /// x′ from, to [m]; by default 40 m behind the last axle to 20 m ahead of the leading one.
     pub x: Option<(f64, f64)>,
     /// Spacing [m]; 0.1 m by default, 0.02 m over supports.
@@ -68,6 +70,8 @@ pub struct TrackShapes {
     pub base: Array2<f64>,
     /// Speeds [m/s] at which the accuracy was missed, and by what factor.
     pub missed: Vec<(f64, f64)>,
+    /// Speed of the line [m/s], and the largest downward rail deflection [m] of the train at rest.
+    pub line: Option<(f64, f64)>,
     /// What another method says.
     pub verified: Option<Verified>,
 }
@@ -101,6 +105,7 @@ impl TrackResponse {
             rail: Array2::zeros((self.speeds.len(), count)),
             base: Array2::zeros((self.speeds.len(), count)),
             missed: Vec::new(),
+            line: None,
             verified: None,
         };
         observer.begin("track response", self.speeds.len() as u64);
@@ -117,6 +122,15 @@ impl TrackResponse {
                 shapes.missed.push((speed, response.worst));
             }
             observer.advance();
+        }
+        if let Some(line) = self.line_speed {
+            let at_rest = track.moving(0.0, train.length() + 1.0)?;
+            let under = |x: f64| -> f64 {
+                train.axles().iter().map(|axle| axle.load * at_rest.rail(x + axle.position - lead)).sum()
+            };
+            let steps = (train.length() / SPACING).ceil() as usize;
+            let down = (0..=steps).map(|i| under(-SPACING * i as f64)).fold(0.0, f64::max);
+            shapes.line = Some((line, down));
         }
         observer.end();
         shapes.verified = self.verify.map(|method| Verified::new(method, verified(&shapes, railway, method)));

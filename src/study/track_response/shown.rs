@@ -22,9 +22,11 @@ impl TrackShapes {
             figures: rows.clone().map(|row| self.figure(row, records)).collect(),
             answers: rows
                 .flat_map(|row| self.answers(row))
+                .chain(self.at_line_speed())
                 .chain(self.verified.as_ref().and_then(Verified::answer))
                 .collect(),
             concerns: self.concerns(railway),
+            ..Outcome::default()
         }
     }
 
@@ -40,6 +42,15 @@ impl TrackShapes {
             answer("max_down", "downward", down, text(down)),
             answer("max_up", "upward", up, if up > 0.0 { text(up) } else { "none".into() }),
         ]
+    }
+
+    /// The amplification at the speed of the line.
+    fn at_line_speed(&self) -> Option<Answer> {
+        let (line, at_rest) = self.line?;
+        let row = self.speeds.iter().position(|v| tag(*v) == tag(line))?;
+        let ratio = self.extremes(row).0 / at_rest;
+        let what = format!("Dynamic amplification at the line speed, {}", speed_text(line));
+        Some(Answer::new("line_speed_amplification", what, ratio, "1", format!("{ratio:.2}")))
     }
 
     fn figure(&self, row: usize, records: &[Record]) -> (Figure, String) {
@@ -59,8 +70,12 @@ impl TrackShapes {
             y: millimetres(&record.deflection),
             stroke: Stroke::Points,
         }));
+        let all = self.rail.iter().chain(&self.base);
+        let (low, high) = all.fold((0.0f64, 0.0f64), |(low, high), w| (low.min(*w), high.max(*w)));
         let picture = LineFigure {
             y_down: true,
+            // shapes at several speeds are compared
+            y_holds: Some((1e3 * low, 1e3 * high)),
             series,
             ..LineFigure::new(
                 format!("track_response_{}", tag(speed)),

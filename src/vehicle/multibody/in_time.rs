@@ -58,19 +58,22 @@ impl Multibody {
     /// w [N]: the weight on each degree of freedom of `copy`, from 0, which add up to the static loads of its wheelsets. Every body
     /// weighs g m; what the model leaves out stands on the bodies of the highest kind it has, in equal parts.
     pub fn weights(&self, copy: usize) -> DVector<f64> {
-        let bounce = |f: &Freedom| f.motion == Motion::Bounce;
+        let bounces = |f: &Freedom| f.motion == Motion::Bounce;
         let mut weights = DVector::from_fn(self.freedoms.len(), |i, _| match self.freedoms[i].motion {
             Motion::Bounce => GRAVITY * self.mass[(i, i)],
             Motion::Pitch => 0.0,
         });
-        let count = self.wheels.len();
-        let loads: f64 = self.axles[copy * count..(copy + 1) * count].iter().map(|a| a.load).sum();
-        let highest = self.freedoms.last().map(|f| f.part);
-        let top: Vec<usize> = (0..self.freedoms.len())
-            .filter(|i| Some(self.freedoms[*i].part) == highest && bounce(&self.freedoms[*i]))
-            .collect();
-        let rest = (loads - weights.sum()) / top.len() as f64;
-        top.into_iter().for_each(|i| weights[i] += rest);
+        let (mut freedom, mut wheel) = (0, copy * self.wheels.len());
+        for &(size, count) in &self.vehicles {
+            let loads: f64 = self.axles[wheel..wheel + count].iter().map(|a| a.load).sum();
+            let own = freedom..freedom + size;
+            let highest = self.freedoms[own.clone()].last().map(|f| f.part);
+            let is_top = |i: &usize| Some(self.freedoms[*i].part) == highest && bounces(&self.freedoms[*i]);
+            let top: Vec<usize> = own.clone().filter(is_top).collect();
+            let rest = (loads - weights.rows(freedom, size).sum()) / top.len() as f64;
+            top.into_iter().for_each(|i| weights[i] += rest);
+            (freedom, wheel) = (own.end, wheel + count);
+        }
         weights
     }
 }

@@ -1,0 +1,57 @@
+//! `compare`.
+
+use super::args::CompareArguments;
+use super::progress::Bar;
+use super::run::{default_out, print, sweep_on_interrupt};
+use super::{BAD_INPUT, DONE, FAILED, complain};
+use groundwave::case::{CompareError, RunError, RunOptions, check_output};
+use groundwave::progress::Observer;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// results/<second>_against_<first>
+fn out_of(arguments: &CompareArguments) -> PathBuf {
+    let name = |path: &Path| default_out(path).file_name().map(|name| name.to_string_lossy().into_owned());
+    let [first, second] = [&arguments.first, &arguments.second].map(|path| name(path).unwrap_or_default());
+    Path::new("results").join(format!("{second}_against_{first}"))
+}
+
+pub fn compare(arguments: &CompareArguments) -> u8 {
+    let out = arguments.out.clone().unwrap_or_else(|| out_of(arguments));
+    match check_output(&out, arguments.overwrite) {
+        Ok(whole) => sweep_on_interrupt(whole),
+        Err(error) => {
+            eprintln!("error: {error}");
+            return BAD_INPUT;
+        }
+    }
+    let started = Instant::now();
+    let options = RunOptions {
+        out: out.clone(),
+        overwrite: arguments.overwrite,
+        pictures: !arguments.no_pictures,
+        csv_maps: false,
+    };
+    let bar = Bar::new();
+    let result = groundwave::case::compare(&arguments.first, &arguments.second, &options, &bar);
+    bar.end();
+    match result {
+        Ok(summary) => {
+            let title = format!("{} against {}", arguments.second.display(), arguments.first.display());
+            print(&title, &summary, &out, started);
+            DONE
+        }
+        Err(CompareError::Case(error)) => {
+            error.each().into_iter().for_each(|fault| complain(&fault.into()));
+            BAD_INPUT
+        }
+        Err(error @ (CompareError::Folder { .. } | CompareError::Run(RunError::Folder(_)))) => {
+            eprintln!("error: {error}");
+            BAD_INPUT
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
+            FAILED
+        }
+    }
+}
