@@ -550,3 +550,39 @@ fn rails_are_asked_only_by_methods_that_know_them() {
         assert!(found.is_empty(), "{fine}: {found:?}");
     }
 }
+
+#[test]
+fn line_speeds_depths_shapes_and_heads_are_refused_at_their_keys() {
+    let asked = "[critical_speed]\nspeeds = [50.0, 60.0]\n";
+    let depth = |more: &str| format!("[ground_at_depth]\n{more}");
+    let shapes = |more: &str| format!("[dispersion]\nfrequencies = [10.0]\n[dispersion.shapes]\n{more}");
+    for (studies, key, said) in [
+        (format!("{asked}line_speed = 0.0\n"), "critical_speed.line_speed", "above 0"),
+        (format!("{asked}line_speed = 250.0e3\n"), "critical_speed.line_speed", "250 km/h"),
+        (format!("{asked}line_sped = 60.0\n"), "critical_speed.line_sped", "did you mean `line_speed`?"),
+        (format!("{ASKED}line_speed = -1.0\n"), "track_response.line_speed", "-1 m/s"),
+        (depth("z = [0.0, 1.0]\n"), "ground_at_depth.z", "the surface itself"),
+        (depth("z = [2.0, 1.0]\n"), "ground_at_depth.z", "ascend"),
+        (depth("z = [1.0, 1500.0]\n"), "ground_at_depth.z", "200 m"),
+        (depth("speeds = [50.0]\n"), "ground_at_depth", "missing key `z`"),
+        (depth("z = [1.0]\ny = [0.0, 900.0]\n"), "ground_at_depth.y", "within 500 m"),
+        (depth("z = [1.0]\nspacing = 0.0\n"), "ground_at_depth.spacing", "above zero"),
+        (depth("z = [1.0]\nthreshold_strain = 2.0\n"), "ground_at_depth.threshold_strain", "1e-4"),
+        (
+            depth("z = [1.0]\nx = { from = -400.0, to = 400.0 }\nspacing = 1e-4\n"),
+            "ground_at_depth",
+            "larger spacing",
+        ),
+        (shapes("z = [0.0]\n"), "dispersion.shapes", "missing key `frequencies`"),
+        (shapes("frequencies = [5.0, 5.0]\nz = [0.0]\n"), "dispersion.shapes.frequencies", "5"),
+        (shapes("frequencies = [5.0]\nz = [-1.0]\n"), "dispersion.shapes.z", "-1 m"),
+        (format!("{asked}[report]\nclient = \" \"\n"), "report.client", "empty"),
+        (format!("{asked}[report]\nauthor = \"a\\nb\"\n"), "report.author", "single line"),
+        (format!("{asked}[report]\nauthour = \"a\"\n"), "report.authour", "did you mean `author`?"),
+    ] {
+        let found = faults(&case(LAYERS, &format!("{TRACK}{studies}")));
+        assert_eq!(found.iter().map(CaseError::key).collect::<Vec<_>>(), [key], "{studies}{found:?}");
+        let help = found[0].help().map_or(String::new(), |help| help.to_string());
+        assert!(format!("{} {help}", found[0]).contains(said), "{said}: {} {help}", found[0]);
+    }
+}

@@ -213,6 +213,26 @@ impl Loader<'_> {
     }
 }
 
+/// What the case `text`, called `name`, says, with its library track in place where it changes one.
+fn read(
+    (text, name): (&str, &str),
+    open: &dyn Fn(&str) -> Result<String, String>,
+) -> (Option<Changed>, Read<CaseInput>) {
+    let (changed, refused) = match changed::track((text, name), open) {
+        Ok(changed) => (changed, None),
+        Err(fault) => (None, Some(fault)),
+    };
+    let whole = changed.as_ref().map_or(text, |changed| &changed.text);
+    let mut read = faults::read::<CaseInput>(whole, (name, text), "", Some(("title", "")));
+    if refused.is_some() {
+        // nothing more is to be said of the track
+        read.faults.retain(|fault| !fault.key().starts_with("track"));
+        read.faults.extend(refused);
+        read.spoilt.insert("track".into());
+    }
+    (changed, read)
+}
+
 impl Case {
     /// Reads and checks the case file at `path`, or the case stored in a `results.h5`.
     ///
@@ -250,19 +270,8 @@ impl Case {
         name: &str,
         open: &dyn Fn(&str) -> Result<String, String>,
     ) -> Result<Self, CaseError> {
-        let (changed, refused) = match changed::track((text, name), open) {
-            Ok(changed) => (changed, None),
-            Err(fault) => (None, Some(fault)),
-        };
+        let (changed, Read { said, spoilt, faults }) = read((text, name), open);
         let whole = changed.as_ref().map_or(text, |changed| &changed.text);
-        let Read { said, mut spoilt, mut faults } =
-            faults::read::<CaseInput>(whole, (name, text), "", Some(("title", "")));
-        if refused.is_some() {
-            // nothing more is to be said of the track
-            faults.retain(|fault| !fault.key().starts_with("track"));
-            faults.extend(refused);
-            spoilt.insert("track".into());
-        }
         let Some(mut input) = said else { return Err(CaseError::all(faults, name)) };
         input.track = input.track.filter(|_| !spoilt.contains("track"));
         let faults = RefCell::new(faults);

@@ -1,6 +1,7 @@
 //! What a case file may say, its checks, the library of named parameter sets, and the runner.
 
 mod about;
+mod answers;
 mod assessment;
 mod changed;
 mod checks;

@@ -1,8 +1,8 @@
 //! What goes into `report.html`: answers, pictures, every input, the assumptions.
 
-use super::Case;
 use super::track_table::track_table;
 use super::verification::Verification;
+use super::{Case, answers};
 use crate::concern::Concern;
 use crate::output::{Report, ReportTable};
 use crate::rail::DecayRate;
@@ -300,12 +300,9 @@ pub fn report(
         about: case.about.rows(),
         source: case.source.clone(),
         version: env!("CARGO_PKG_VERSION").into(),
-        answers: outcomes
-            .iter()
-            .flat_map(|(_, o)| o.answers.iter().map(|a| (a.what.clone(), a.shown.clone())))
-            .collect(),
+        answers: answers::list(outcomes.iter().flat_map(|(_, o)| &o.answers)),
         figures,
-        answer_tables: outcomes.iter().flat_map(|(_, o)| o.tables.iter().cloned()).collect(),
+        answer_tables: answers::tables(outcomes.iter().flat_map(|(_, o)| &o.answers)),
         tables: [
             ground_table(&case.railway),
             track_table(&case.railway),

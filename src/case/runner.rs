@@ -2,7 +2,7 @@
 
 use super::folder::{self, FolderError, check_output};
 use super::sketch::sketch;
-use super::{Case, Verification, report};
+use super::{Case, Verification, answers, report};
 use crate::concern::Concern;
 use crate::dataset::{Attribute, Dataset, Group};
 use crate::output::plot::Picture;
@@ -255,7 +255,8 @@ pub(super) fn leave(
     let html = Report {
         title: page.title,
         version: env!("CARGO_PKG_VERSION").into(),
-        answers: answers.iter().map(|a| (a.what.clone(), a.shown.clone())).collect(),
+        answers: answers::list(answers.iter()),
+        answer_tables: answers::tables(answers.iter()),
         figures: drawings.into_iter().map(|d| (d.title, d.caption, d.picture.svg)).collect(),
         tables: page.tables,
         case_text: page.input,

@@ -1,10 +1,10 @@
 //! `assess`.
 
 use super::args::AssessArguments;
-use super::run::{default_out, print, sweep_on_interrupt};
-use super::{BAD_INPUT, DONE, FAILED};
+use super::run::{default_out, print, ready};
+use super::{BAD_INPUT, FAILED};
 use groundwave::assessment::{Area, Guide, Line};
-use groundwave::case::{AssessError, RunError, RunOptions, check_output};
+use groundwave::case::{AssessError, RunError, RunOptions};
 use groundwave::study::{Assessment, Passes};
 use std::time::Instant;
 
@@ -26,12 +26,8 @@ fn assessment(arguments: &AssessArguments) -> Assessment {
 
 pub fn assess(arguments: &AssessArguments) -> u8 {
     let out = arguments.out.clone().unwrap_or_else(|| default_out(&arguments.record));
-    match check_output(&out, arguments.overwrite) {
-        Ok(whole) => sweep_on_interrupt(whole),
-        Err(error) => {
-            eprintln!("error: {error}");
-            return BAD_INPUT;
-        }
+    if let Err(code) = ready(&out, arguments.overwrite) {
+        return code;
     }
     let started = Instant::now();
     let options = RunOptions {
@@ -42,13 +38,8 @@ pub fn assess(arguments: &AssessArguments) -> u8 {
     };
     match groundwave::case::assess(&arguments.record, assessment(arguments), &options) {
         Ok(summary) => {
-            print(&format!("Measured history {}", arguments.record.display()), &summary, &out, started);
-            if arguments.strict && !summary.concerns.is_empty() {
-                let codes: Vec<&str> = summary.concerns.iter().map(|c| c.code).collect();
-                eprintln!("error: concerns under --strict: {}", codes.join(", "));
-                return FAILED;
-            }
-            DONE
+            let title = format!("Measured history {}", arguments.record.display());
+            print(&title, &summary, (&out, started), arguments.strict)
         }
         Err(
             error @ (AssessError::File { .. }

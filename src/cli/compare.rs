@@ -2,9 +2,9 @@
 
 use super::args::CompareArguments;
 use super::progress::Bar;
-use super::run::{default_out, print, sweep_on_interrupt};
-use super::{BAD_INPUT, DONE, FAILED, complain};
-use groundwave::case::{CompareError, RunError, RunOptions, check_output};
+use super::run::{default_out, print, ready};
+use super::{BAD_INPUT, FAILED, complain};
+use groundwave::case::{CompareError, RunError, RunOptions};
 use groundwave::progress::Observer;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -18,12 +18,8 @@ fn out_of(arguments: &CompareArguments) -> PathBuf {
 
 pub fn compare(arguments: &CompareArguments) -> u8 {
     let out = arguments.out.clone().unwrap_or_else(|| out_of(arguments));
-    match check_output(&out, arguments.overwrite) {
-        Ok(whole) => sweep_on_interrupt(whole),
-        Err(error) => {
-            eprintln!("error: {error}");
-            return BAD_INPUT;
-        }
+    if let Err(code) = ready(&out, arguments.overwrite) {
+        return code;
     }
     let started = Instant::now();
     let options = RunOptions {
@@ -38,8 +34,7 @@ pub fn compare(arguments: &CompareArguments) -> u8 {
     match result {
         Ok(summary) => {
             let title = format!("{} against {}", arguments.second.display(), arguments.first.display());
-            print(&title, &summary, &out, started);
-            DONE
+            print(&title, &summary, (&out, started), false)
         }
         Err(CompareError::Case(error)) => {
             error.each().into_iter().for_each(|fault| complain(&fault.into()));

@@ -48,13 +48,18 @@ pub fn default_out(case: &Path) -> PathBuf {
     Path::new("results").join(name)
 }
 
-/// Removes what an interrupted run leaves beside its output folder.
-pub fn sweep_on_interrupt(out: PathBuf) {
+/// Looks whether results may go to `out`, and from then on removes what an interrupted run leaves beside it.
+pub fn ready(out: &Path, overwrite: bool) -> Result<(), u8> {
+    let whole = check_output(out, overwrite).map_err(|error| {
+        eprintln!("error: {error}");
+        BAD_INPUT
+    })?;
     let _ = ctrlc::set_handler(move || {
-        sweep(&out);
+        sweep(&whole);
         eprintln!("\ninterrupted: nothing written");
         std::process::exit(130);
     });
+    Ok(())
 }
 
 pub fn run(arguments: &RunArguments) -> u8 {
@@ -69,12 +74,8 @@ pub fn run(arguments: &RunArguments) -> u8 {
         return FAILED;
     }
     let out = arguments.out.clone().unwrap_or_else(|| default_out(&arguments.case));
-    match check_output(&out, arguments.overwrite) {
-        Ok(whole) => sweep_on_interrupt(whole),
-        Err(error) => {
-            eprintln!("error: {error}");
-            return BAD_INPUT;
-        }
+    if let Err(code) = ready(&out, arguments.overwrite) {
+        return code;
     }
     let started = Instant::now();
     let bar = Bar::new();
@@ -87,15 +88,7 @@ pub fn run(arguments: &RunArguments) -> u8 {
     let result = run_case(&case, &options, &bar);
     bar.end();
     match result {
-        Ok(summary) => {
-            print(&case.title, &summary, &out, started);
-            if arguments.strict && !summary.concerns.is_empty() {
-                let codes: Vec<&str> = summary.concerns.iter().map(|c| c.code).collect();
-                eprintln!("error: concerns under --strict: {}", codes.join(", "));
-                return FAILED;
-            }
-            DONE
-        }
+        Ok(summary) => print(&case.title, &summary, (&out, started), arguments.strict),
         Err(error @ RunError::Folder(_)) => {
             eprintln!("error: {error}");
             BAD_INPUT
@@ -107,8 +100,8 @@ pub fn run(arguments: &RunArguments) -> u8 {
     }
 }
 
-/// The answers of a run called `title`, its concerns, where its files are.
-pub fn print(title: &str, summary: &Summary, out: &Path, started: Instant) {
+/// The answers of a run called `title`, its concerns, where its files are and since when it ran; concerns are failures if `strict`.
+pub fn print(title: &str, summary: &Summary, (out, started): (&Path, Instant), strict: bool) -> u8 {
     say(title);
     for (study, answers) in &summary.answers {
         let see = if answers.is_empty() { ": see the tables" } else { "" };
@@ -142,4 +135,10 @@ pub fn print(title: &str, summary: &Summary, out: &Path, started: Instant) {
         started.elapsed().as_secs_f64(),
         out.join("report.html").display()
     ));
+    if strict && !summary.concerns.is_empty() {
+        let codes: Vec<&str> = summary.concerns.iter().map(|c| c.code).collect();
+        eprintln!("error: concerns under --strict: {}", codes.join(", "));
+        return FAILED;
+    }
+    DONE
 }

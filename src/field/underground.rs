@@ -5,21 +5,18 @@
 //! R(β; y, z)  = (1/2π) ∫_{−∞}^{∞} g(β, q; z) sinc(qb) e^{iqy} dq          k² = β² + q²,  ω = −βv
 //! ```
 //!
-//! g are the motions and stresses of a unit traction wave at the surface and what follows from them, with cos θ = β/k, sin θ = q/k:
-//!
-//! ```text
-//! u_x = u_r cos θ   u_y = u_r sin θ   ε_xx = iβ u_x   ε_yy = iq u_y   γ_xy = i(q u_x + β u_y)   τ_xz = τ cos θ   τ_yz = τ sin θ
-//! ```
-//!
-//! the rest from Hooke's law: ε_zz = (σ_zz − λ*(ε_xx + ε_yy))/(λ* + 2μ*), γ_xz = τ_xz/μ*, … Both integrals are done by adaptive panels;
-//! there is no grid, no period and no wrap-around.
+//! g are the [parts](super::ground_state) of the ground's state. Both integrals are done by adaptive panels, the outer one for a single
+//! axle: its factors e^{iβ(a_j + x′)} oscillate faster the longer the train, and are [integrated as such](crate::math::oscillating).
+//! There is no grid, no period and no wrap-around.
 
 use super::ground_grid::GroundLoad;
+use super::ground_state::{COMPONENTS, EVEN, PARTS, components, parts};
 use crate::math::complex::I;
-use crate::math::many;
+use crate::math::many::{self, Many};
+use crate::math::oscillating::Oscillating;
 use crate::math::quadrature::subdivided;
 use crate::rail::{BETA_CAP, panels};
-use crate::soil::at_depth::{AtDepth, State};
+use crate::soil::at_depth::AtDepth;
 use crate::soil::strip::{Outline, sinc};
 use crate::soil::{Material, Profile, SoilError};
 use crate::vehicle::Train;
@@ -27,15 +24,12 @@ use ndarray::Array4;
 use num_complex::Complex64;
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Evaluations of the ground allowed for one β, and of β for a field.
 const MAX_ACROSS: usize = 60_000;
 const MAX_ALONG: usize = 6_000;
 
-/// What is integrated: all of it is even or odd in y.
-const PARTS: usize = 9;
-/// How many of them are even; they come first.
-const EVEN: usize = 6;
 /// Every load reaches as far [rad/m].
 const LEAST_END: f64 = 0.1;
 /// Nothing is integrated worse, however little of it arrives.
@@ -53,40 +47,6 @@ pub struct Underground<'a> {
     pub load: GroundLoad<'a>,
 }
 
-/// One of the fifteen numbers of the state of the ground.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Component {
-    /// Name of the dataset.
-    pub name: &'static str,
-    /// CF unit.
-    pub unit: &'static str,
-    /// What it is.
-    pub long_name: &'static str,
-}
-
-const fn component(name: &'static str, unit: &'static str, long_name: &'static str) -> Component {
-    Component { name, unit, long_name }
-}
-
-/// All of them, in the order of the arrays: displacements, strains, stresses.
-pub const COMPONENTS: [Component; 15] = [
-    component("u_x", "m", "displacement along the track, positive in the direction of travel"),
-    component("u_y", "m", "displacement across the track, positive towards +y"),
-    component("u_z", "m", "displacement, positive down"),
-    component("epsilon_xx", "1", "strain along the track, extension positive"),
-    component("epsilon_yy", "1", "strain across the track, extension positive"),
-    component("epsilon_zz", "1", "vertical strain, extension positive"),
-    component("gamma_xy", "1", "engineering shear strain, x and y"),
-    component("gamma_xz", "1", "engineering shear strain, x and z"),
-    component("gamma_yz", "1", "engineering shear strain, y and z"),
-    component("sigma_xx", "Pa", "stress along the track, tension positive"),
-    component("sigma_yy", "Pa", "stress across the track, tension positive"),
-    component("sigma_zz", "Pa", "vertical stress, tension positive"),
-    component("tau_xy", "Pa", "shear stress, x and y"),
-    component("tau_xz", "Pa", "shear stress, x and z"),
-    component("tau_yz", "Pa", "shear stress, y and z"),
-];
-
 /// The state of the ground around a train.
 #[derive(Clone, Debug)]
 pub struct UndergroundField {
@@ -96,62 +56,6 @@ pub struct UndergroundField {
     pub error: f64,
     /// Whether that is what was wanted.
     pub converged: bool,
-}
-
-/// γ_oct = ⅔ √((ε_xx − ε_yy)² + (ε_yy − ε_zz)² + (ε_zz − ε_xx)² + 3/2 (γ_xy² + γ_xz² + γ_yz²)), octahedral shear strain.
-pub fn octahedral_strain(field: &UndergroundField) -> ndarray::Array3<f64> {
-    let of = |i: usize| field.values.index_axis(ndarray::Axis(0), i);
-    let [xx, yy, zz, xy, xz, yz] = [3, 4, 5, 6, 7, 8].map(of);
-    ndarray::Array3::from_shape_fn(xx.raw_dim(), |at| {
-        let normal = (xx[at] - yy[at]).powi(2) + (yy[at] - zz[at]).powi(2) + (zz[at] - xx[at]).powi(2);
-        let shear = xy[at].powi(2) + xz[at].powi(2) + yz[at].powi(2);
-        2.0 / 3.0 * (normal + 1.5 * shear).sqrt()
-    })
-}
-
-/// The nine parts of a state at (β, q): W, cU, ikc²U, iks²U, S, cT even in q; sU, 2ikcsU, sT odd.
-fn parts(state: &State, beta: f64, q: f64) -> [Complex64; PARTS] {
-    let k = beta.hypot(q);
-    let (c, s) = (beta / k, q / k);
-    let State { u_r, u_z, tau, sigma } = *state;
-    [
-        u_z,
-        c * u_r,
-        I * (beta * c) * u_r,
-        I * (q * s) * u_r,
-        sigma,
-        c * tau,
-        s * u_r,
-        I * (2.0 * beta * s) * u_r,
-        s * tau,
-    ]
-}
-
-/// The fifteen components from the nine parts in `material`, whose moduli know of ω but its sign.
-fn components(parts: &[Complex64], material: &Material, omega: f64) -> [f64; 15] {
-    let [u_z, u_x, xx, yy, sigma, tau_xz, u_y, xy, tau_yz] = std::array::from_fn(|i| parts[i]);
-    let (mu, modulus) = (material.complex_shear_modulus(omega), material.complex_p_modulus(omega));
-    let lambda = modulus - 2.0 * mu;
-    let zz = (sigma - lambda * (xx + yy)) / modulus;
-    let pressure = lambda * (xx + yy + zz);
-    [
-        u_x,
-        u_y,
-        u_z,
-        xx,
-        yy,
-        zz,
-        xy,
-        tau_xz / mu,
-        tau_yz / mu,
-        pressure + 2.0 * mu * xx,
-        pressure + 2.0 * mu * yy,
-        sigma,
-        mu * xy,
-        tau_xz,
-        tau_yz,
-    ]
-    .map(|z| z.re)
 }
 
 /// Ends of the track's and the ground's answer.
@@ -172,15 +76,18 @@ impl Underground<'_> {
         }
     }
 
-    /// q̃(β) Σ_j P_j e^{iβa_j} [N], a_j from the leading axle.
+    /// q̃(β), of a unit axle.
     fn force(&self, beta: f64) -> Complex64 {
-        let lead = self.train.axles()[0].position;
-        let phases: Complex64 =
-            self.train.axles().iter().map(|a| a.load * Complex64::cis(beta * (a.position - lead))).sum();
         match self.load {
-            GroundLoad::Strip { force, .. } => force(beta) * phases,
-            GroundLoad::Point => phases,
+            GroundLoad::Strip { force, .. } => force(beta),
+            GroundLoad::Point => Complex64::ONE,
         }
+    }
+
+    /// Σ_j P_j e^{iβa_j} [N], a_j from the leading axle.
+    fn axles(&self, beta: f64) -> Complex64 {
+        let lead = self.train.axles()[0].position;
+        self.train.axles().iter().map(|a| a.load * Complex64::cis(beta * (a.position - lead))).sum()
     }
 
     /// Nepers by which waves of phase speed v decay down to the shallowest depth, over β [m]: z Re √(1 − (v/c_s*)²) of the material where
@@ -295,20 +202,17 @@ impl Underground<'_> {
             values.iter_mut().for_each(|v| *v *= force);
             Ok((values, error))
         };
-        let length = self.train.length();
-        let farthest = x.iter().map(|x| x.abs()).fold(0.0, f64::max) + length;
         let far = y.iter().map(|y| y.abs()).fold(0.0, f64::max);
-        let ends = panels(self.end(&reach), farthest + far);
-        let worst = std::sync::Mutex::new(0.0f64);
+        let end = self.end(&reach);
+        let worst = AtomicU64::new(0);
         let many = many::integrate(
             |beta| {
                 let rows: Vec<Vec<Complex64>> = beta
                     .par_iter()
                     .map(|beta| match along(*beta) {
                         Ok((values, error)) => {
-                            if let Ok(mut worst) = worst.lock() {
-                                *worst = worst.max(error);
-                            }
+                            // numbers that are not negative are in the order of their bits
+                            worst.fetch_max(error.to_bits(), Ordering::Relaxed);
                             values
                         }
                         // the depths were accepted above
@@ -318,31 +222,50 @@ impl Underground<'_> {
                 let mut rows = rows.into_iter();
                 std::array::from_fn(|_| rows.next().unwrap_or_default())
             },
-            &ends,
+            &panels(end, far),
             relative,
             MAX_ALONG,
         );
-        let size = depths.len() * y.len();
-        let columns: Vec<Vec<[f64; 15]>> = x
-            .par_iter()
-            .map(|x| {
-                let mut sums = vec![Complex64::ZERO; size * PARTS];
-                for (beta, weight, values) in &many.nodes {
-                    let turn = Complex64::cis(beta * x) * (weight / PI);
-                    sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += turn * value);
-                }
-                let at = |(i, parts): (usize, &[Complex64])| {
-                    components(parts, &materials[i / y.len()], -self.speed)
-                };
-                sums.chunks(PARTS).enumerate().map(at).collect()
-            })
-            .collect();
+        let within = f64::from_bits(worst.into_inner());
+        let sums = self.over_axles(&many, end, x);
+        let at = |(i, parts): (usize, &[Complex64])| components(parts, &materials[i / y.len()], -self.speed);
+        let columns: Vec<Vec<[f64; 15]>> =
+            sums.iter().map(|sums| sums.chunks(PARTS).enumerate().map(at).collect()).collect();
         let values =
             Array4::from_shape_fn((COMPONENTS.len(), depths.len(), y.len(), x.len()), |(c, d, j, i)| {
                 columns[i][d * y.len() + j][c]
             });
-        let within = worst.into_inner().unwrap_or(f64::INFINITY);
         let error = many.error + within;
         Ok(UndergroundField { values, error, converged: many.converged && within <= relative })
+    }
+
+    /// (1/π) ∫₀^end Σ_j P_j e^{iβ(a_j + x′)} f(β) dβ of all f that `many` holds, for each x′.
+    fn over_axles(&self, many: &Many, end: f64, x: &[f64]) -> Vec<Vec<Complex64>> {
+        let length = self.train.length();
+        let rate = x.iter().map(|x| x.abs().max((x + length).abs())).fold(0.0, f64::max);
+        let ends = many.from.iter().skip(1).chain([&end]);
+        let panels: Vec<(Oscillating, Vec<Complex64>)> = many
+            .from
+            .iter()
+            .zip(ends)
+            .map(|(from, to)| {
+                let panel = Oscillating::new(*from..*to, rate);
+                let axles = panel.nodes.iter().map(|beta| self.axles(*beta)).collect();
+                (panel, axles)
+            })
+            .collect();
+        x.par_iter()
+            .map(|x| {
+                let mut sums = vec![Complex64::ZERO; many.nodes.first().map_or(0, |node| node.2.len())];
+                for ((panel, axles), nodes) in panels.iter().zip(many.nodes.chunks(15)) {
+                    let turned = panel.nodes.iter().zip(axles).map(|(beta, a)| a * Complex64::cis(beta * x));
+                    for (weight, (_, _, values)) in panel.weights(turned).iter().zip(nodes) {
+                        let weight = weight / PI;
+                        sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
+                    }
+                }
+                sums
+            })
+            .collect()
     }
 }

@@ -22,8 +22,10 @@ const NOTHING: f64 = 1e-100;
 /// A rule with the values of every function at its nodes.
 #[derive(Clone, Debug)]
 pub struct Many {
-    /// Abscissa, weight and values of each node.
+    /// Abscissa, weight and values of each node, fifteen a panel, ascending.
     pub nodes: Vec<(f64, f64, Vec<Complex64>)>,
+    /// Where each panel begins.
+    pub from: Vec<f64>,
     /// Estimated error of an integral over the integral of its modulus.
     pub error: f64,
     /// Whether that was as wanted.
@@ -76,11 +78,12 @@ pub fn integrate(
     let tolerance = Tolerance { relative: 0.0, absolute: most, max_count };
     let estimate = integral.refine(&mut sum, Complex64::ZERO, tolerance);
     let mut kept = kept.into_inner();
+    let from = integral.starts();
     let nodes = integral.into_rule().0.into_iter();
     let nodes =
         nodes.map(|Node { x, weight, .. }| (x, weight, kept.remove(&x.to_bits()).unwrap_or_default()));
     let error = estimate.error / (scales.len() as f64).sqrt();
-    Many { nodes: nodes.collect(), error, converged: estimate.converged }
+    Many { nodes: nodes.collect(), from, error, converged: estimate.converged }
 }
 
 #[cfg(test)]

@@ -80,25 +80,22 @@ struct Panel {
     error: f64,
 }
 
+/// Kronrod's fifteen abscissae between `from` and `to`, ascending, and their weights.
+pub fn kronrod(from: f64, to: f64) -> ([f64; 15], [f64; 15]) {
+    let (centre, half) = (0.5 * (from + to), 0.5 * (to - from));
+    let x = std::array::from_fn(|i| centre + half * if i < 8 { -NODES[i] } else { NODES[14 - i] });
+    let w = std::array::from_fn(|i| half * KRONROD[if i < 8 { i } else { 14 - i }]);
+    (x, w)
+}
+
 impl Panel {
     fn new(f: &mut impl Integrand, from: f64, to: f64) -> Self {
-        let centre = 0.5 * (from + to);
         let half = 0.5 * (to - from);
-        let mut panel = Self {
-            x: [0.0; 15],
-            w: [0.0; 15],
-            f: [Complex64::ZERO; 15],
-            from,
-            to,
-            value: Complex64::ZERO,
-            error: 0.0,
-        };
+        let (x, w) = kronrod(from, to);
+        let mut panel = Self { x, w, f: f.values(&x), from, to, value: Complex64::ZERO, error: 0.0 };
         let mut gauss = Complex64::ZERO;
-        panel.x = std::array::from_fn(|i| centre + half * if i < 8 { -NODES[i] } else { NODES[14 - i] });
-        panel.f = f.values(&panel.x);
         for i in 0..15 {
             let j = if i < 8 { i } else { 14 - i };
-            panel.w[i] = half * KRONROD[j];
             panel.value += panel.f[i] * panel.w[i];
             if j % 2 == 1 {
                 gauss += panel.f[i] * (half * GAUSS[j / 2]);
@@ -235,6 +232,13 @@ impl Adaptive {
         let error: f64 = self.panels.iter().map(|p| p.error).sum();
         let goal = tolerance.absolute.max(tolerance.relative * (self.value + offset).norm());
         Estimate { value: self.value, error, count: self.count, converged: error <= 1.0001 * goal }
+    }
+
+    /// Where its panels begin, in ascending order.
+    pub fn starts(&self) -> Vec<f64> {
+        let mut starts: Vec<f64> = self.panels.iter().map(|p| p.from).collect();
+        starts.sort_by(f64::total_cmp);
+        starts
     }
 
     /// Its nodes, in ascending order: a rule for related integrands.

@@ -48,7 +48,6 @@ use crate::dataset::Group;
 use crate::field::GroundFieldError;
 use crate::figure::{Figure, Series, Stroke};
 use crate::foundation::FoundationError;
-use crate::output::ReportTable;
 use crate::progress::Observer;
 use crate::rail::fem::FemError;
 use crate::rail::{InteractionError, Method, RailError};
@@ -70,12 +69,32 @@ pub struct Answer {
     pub unit: &'static str,
     /// The value as a report shows it, with unit.
     pub shown: String,
+    /// Where it stands in a report that has many like it.
+    pub cells: Option<Cells>,
+}
+
+/// Part of a row of a table of a report.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cells {
+    /// Title of the table.
+    pub table: String,
+    /// What its rows are of, with unit.
+    pub of: &'static str,
+    /// Its row.
+    pub row: String,
+    /// Heading and text of each column.
+    pub columns: Vec<(String, String)>,
 }
 
 impl Answer {
     /// An answer from its parts.
     pub fn new(key: &str, what: impl Into<String>, value: f64, unit: &'static str, shown: String) -> Self {
-        Self { key: key.to_owned(), what: what.into(), value, unit, shown }
+        Self { key: key.to_owned(), what: what.into(), value, unit, shown, cells: None }
+    }
+
+    /// The same, which a report shows in a table.
+    pub fn in_table(self, cells: Cells) -> Self {
+        Self { cells: Some(cells), ..self }
     }
 }
 
@@ -107,8 +126,6 @@ pub struct Outcome {
     pub figures: Vec<(Figure, String)>,
     /// The numbers a reader came for.
     pub answers: Vec<Answer>,
-    /// Answers side by side, where there are many of a kind.
-    pub tables: Vec<ReportTable>,
     /// What the result may be doubted for.
     pub concerns: Vec<Concern>,
 }

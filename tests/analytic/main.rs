@@ -11,6 +11,7 @@ mod defects;
 mod dispersion;
 mod ground_at_depth;
 mod half_space;
+mod line_speed;
 mod moving_point;
 mod periodic;
 mod periodic_bands;

@@ -47,7 +47,6 @@ impl SpeedCurves {
             figures: self.figures(),
             answers: self.answers().into_iter().chain(self.speeds_that_matter()).collect(),
             concerns: self.concerns(),
-            ..Outcome::default()
         }
     }
 

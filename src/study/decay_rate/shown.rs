@@ -16,7 +16,6 @@ impl DecayRates {
             figures: vec![self.figure(beside)],
             answers: self.answers(),
             concerns: Vec::new(),
-            ..Outcome::default()
         }
     }
 

@@ -20,7 +20,7 @@ impl DispersionCurves {
             group = shapes.with(group);
             figures.extend(shapes.figures());
         }
-        Outcome { group, figures, answers: self.answers(), concerns: self.concerns(), ..Outcome::default() }
+        Outcome { group, figures, answers: self.answers(), concerns: self.concerns() }
     }
 
     fn answers(&self) -> Vec<Answer> {

@@ -18,7 +18,6 @@ impl StiffnessTable {
             figures: vec![(self.figure(), caption.into())],
             answers: Vec::new(),
             concerns: self.concern().into_iter().collect(),
-            ..Outcome::default()
         }
     }
 

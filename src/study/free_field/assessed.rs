@@ -189,7 +189,14 @@ impl PassVelocities<'_> {
             dose: metrics.mean_of_powers(VDV, r, 4),
         };
         let place = if place.is_empty() { ", open ground".to_owned() } else { estimated(place) };
-        self.study.assessment.day_answers(one, r, &format!("_{y}"), &format!(" at {y} m{place}"))
+        let at = format!(" at {y} m{place}");
+        let answers = self.study.assessment.day_answers(one, r, &format!("_{y}"), &at);
+        let in_table = |answer: Answer| {
+            let columns = [(answer.what.trim_end_matches(&at), answer.shown.clone())];
+            let cells = Self::row(format!("Whole days{place}"), y, columns);
+            answer.in_table(cells)
+        };
+        answers.into_iter().map(in_table).collect()
     }
 
     /// KB_FTr and VDV of days and nights against distance.

@@ -156,7 +156,9 @@ impl PassVelocities<'_> {
         let level = a_weighted_level(&self.study.bands, &levels.row(r).to_vec());
         let what =
             format!("Ground-borne noise at {y} m, estimate by table, mean over {:.2} s", self.passage_time);
-        Some(Answer::new(&format!("noise_{y}"), what, level, "dB", format!("{level:.1} dB(A)")))
+        let answer = Answer::new(&format!("noise_{y}"), what, level, "dB", format!("{level:.1} dB(A)"));
+        let columns = [("noise, estimate [dB(A)]", format!("{level:.1}"))];
+        Some(answer.in_table(Self::row(self.velocities_table(), y, columns)))
     }
 
     /// Bands on the ground and in the building, and noise.

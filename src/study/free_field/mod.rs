@@ -20,7 +20,6 @@ pub(in crate::study) mod pictures;
 mod profile;
 mod roughness;
 mod shown;
-mod table;
 
 pub use assessed::{Assessment, OtherTrain, Passes};
 pub use building::{Building, SOUND};
@@ -174,7 +173,6 @@ impl FreeField {
             figures: answer.figures(&velocities),
             answers: answer.answers(&velocities)?,
             concerns,
-            tables: answer.tables(&velocities),
         })
     }
 

@@ -5,7 +5,7 @@ use super::pictures::{band_figure, figure, seen, steps};
 use super::{Irregularity, PassVelocities};
 use crate::assessment::{Band, Level, Reference};
 use crate::figure::{Figure, Series, Stroke};
-use crate::study::{Answer, StudyError, speed_text};
+use crate::study::{Answer, Cells, StudyError, speed_text};
 use ndarray::Array2;
 
 impl PassVelocities<'_> {
@@ -26,7 +26,21 @@ impl PassVelocities<'_> {
             answers.extend(self.noise_answer(&velocities[2], r, *y));
             answers.extend(self.day_answers(r, *y));
         }
+        if self.study.receivers.len() == 1 {
+            answers.iter_mut().for_each(|answer| answer.cells = None);
+        }
         Ok(answers)
+    }
+
+    /// `columns` of the row of the receiver at `y` m in the table called `table`.
+    pub(super) fn row<const N: usize>(table: String, y: f64, columns: [(&str, String); N]) -> Cells {
+        let columns = columns.map(|(heading, text)| (heading.to_owned(), text)).to_vec();
+        Cells { table, of: "distance [m]", row: format!("{y}"), columns }
+    }
+
+    /// The table of velocities of the open ground.
+    pub(super) fn velocities_table(&self) -> String {
+        format!("R.m.s. velocity over {:.2} s, open ground", self.passage_time)
     }
 
     fn profile_answer(&self) -> Option<Answer> {
@@ -52,7 +66,10 @@ impl PassVelocities<'_> {
         let what = format!("R.m.s. velocity at {y} m over {:.2} s, all bands", self.passage_time);
         let [whole, smooth, rough] = [value, quasi_static, dynamic].map(|v| significant(1e3 * v));
         let shown = format!("{whole} mm/s (quasi-static {smooth}, dynamic {rough}), {level}");
-        Ok(Answer::new(&format!("v_rms_{y}"), what, value, "m/s", shown))
+        let columns =
+            [("v_rms [mm/s]", whole), ("quasi-static", smooth), ("dynamic", rough), ("level", level)];
+        let answer = Answer::new(&format!("v_rms_{y}"), what, value, "m/s", shown);
+        Ok(answer.in_table(Self::row(self.velocities_table(), y, columns)))
     }
 
     /// The strongest band, and the first from which on the dynamic part prevails.
@@ -69,13 +86,18 @@ impl PassVelocities<'_> {
         let row = total.row(r);
         let top = (0..row.len()).max_by(|&a, &b| row[a].total_cmp(&row[b])).unwrap_or(0);
         let peak = study.bands[top];
-        let shown = format!("{} Hz, {} mm/s", peak.label(), significant(1e3 * row[top]));
-        let mut answers = vec![answer("peak_band", "Strongest band", peak, shown)];
+        let strongest = significant(1e3 * row[top]);
+        let shown = format!("{} Hz, {strongest} mm/s", peak.label());
+        let columns = [("strongest band [Hz]", peak.label()), ("there [mm/s]", strongest)];
+        let strongest = answer("peak_band", "Strongest band", peak, shown);
+        let mut answers = vec![strongest.in_table(Self::row(self.velocities_table(), y, columns))];
         let last = (0..row.len()).rev().find(|&b| quasi_static[(r, b)] > dynamic[(r, b)]);
         if let Some(crossing) = last.filter(|b| b + 1 < row.len() && study.roughness.is_some()) {
             let band = study.bands[crossing + 1];
             let what = "Band from which on the dynamic part prevails";
-            answers.push(answer("crossing_band", what, band, format!("{} Hz", band.label())));
+            let columns = [("dynamic part prevails from [Hz]", band.label())];
+            let crossing = answer("crossing_band", what, band, format!("{} Hz", band.label()));
+            answers.push(crossing.in_table(Self::row(self.velocities_table(), y, columns)));
         }
         answers
     }
@@ -90,17 +112,27 @@ impl PassVelocities<'_> {
     ) -> Result<Answer, StudyError> {
         let measure = &MEASURES[m];
         let (mean, least, most) = metrics.spread(m, r);
-        let mut shown = measure.shown(mean);
+        let (mut shown, mut cell) = (measure.shown(mean), measure.number(mean));
+        let mut table = "Measures of one pass, ".to_owned();
+        table += &if place.is_empty() { "open ground".to_owned() } else { format!("{place}, estimate") };
         if self.histories.len() > 1 {
             let (least, most) = (measure.number(least), measure.number(most));
             shown = format!("{shown}, {least} to {most} in {} profiles", self.histories.len());
+            cell = format!("{cell} ({least} to {most})");
+            table += &format!(": mean (least to largest of {} profiles)", self.histories.len());
         }
         if m == V_SLOW_MAXIMUM && mean > 0.0 {
             shown = format!("{shown}; {}", Level::of(mean, Reference::VdB)?);
         }
         let what = format!("{} at {y} m{}", measure.symbol, estimated(place));
         let key = if place.is_empty() { measure.key.to_owned() } else { format!("{}_{place}", measure.key) };
-        Ok(Answer::new(&format!("{key}_{y}"), what, mean, measure.unit(), shown))
+        let heading = match measure.unit() {
+            "1" => measure.symbol.to_owned(),
+            "m/s" => format!("{} [mm/s]", measure.symbol),
+            unit => format!("{} [{unit}]", measure.symbol),
+        };
+        let answer = Answer::new(&format!("{key}_{y}"), what, mean, measure.unit(), shown);
+        Ok(answer.in_table(Self::row(table, y, [(&heading, cell)])))
     }
 
     /// Which profile the histories belong to.

@@ -133,7 +133,7 @@ impl GroundAtDepth {
         }
         observer.end();
         Ok(GroundStates {
-            octahedral: fields.iter().map(octahedral_strain).collect(),
+            octahedral: fields.iter().map(|field| octahedral_strain(&field.values)).collect(),
             speeds,
             x,
             y: self.y.clone(),

@@ -58,7 +58,6 @@ impl GroundStates {
             figures,
             answers: (0..self.speeds.len()).flat_map(|n| self.answers(n, &strain, &pressure)).collect(),
             concerns: self.concerns(railway, &strain),
-            ..Outcome::default()
         }
     }
 

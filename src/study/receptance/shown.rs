@@ -22,8 +22,7 @@ impl Receptances {
         let unbounded = between.and_then(|supports| unbounded(&self.landmarks, &supports.rail));
         let asked = (self.frequencies.len(), "frequencies", "Hz");
         let concerns = missed_accuracy(&self.missed, "1e-4", asked).into_iter().chain(unbounded).collect();
-        let mut outcome =
-            Outcome { group: self.group(), figures, answers: self.answers(), concerns, ..Outcome::default() };
+        let mut outcome = Outcome { group: self.group(), figures, answers: self.answers(), concerns };
         if let Some(map) = &self.map {
             map.add(&mut outcome);
         }

@@ -87,7 +87,6 @@ impl MeasuredHistory {
             figures: self.figures(&judged, &bands),
             answers: self.answers(&judged),
             concerns: self.concerns(),
-            ..Outcome::default()
         })
     }
 }

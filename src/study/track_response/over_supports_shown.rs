@@ -32,7 +32,6 @@ impl OverSupports {
                 .into_iter()
                 .chain(self.verified.as_ref().and_then(Verified::concern))
                 .collect(),
-            ..Outcome::default()
         }
     }
 

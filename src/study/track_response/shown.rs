@@ -26,7 +26,6 @@ impl TrackShapes {
                 .chain(self.verified.as_ref().and_then(Verified::answer))
                 .collect(),
             concerns: self.concerns(railway),
-            ..Outcome::default()
         }
     }
 

@@ -15,13 +15,7 @@ impl Scattered {
     pub(super) fn shown(&self) -> Outcome {
         let mut figures = vec![self.power_figure()];
         figures.extend((!self.along.is_empty()).then(|| self.along_figure()));
-        Outcome {
-            group: self.group(),
-            figures,
-            answers: self.answers(),
-            concerns: self.concerns(),
-            ..Outcome::default()
-        }
+        Outcome { group: self.group(), figures, answers: self.answers(), concerns: self.concerns() }
     }
 
     fn group(&self) -> Group {
