@@ -3,8 +3,11 @@
 use super::Section;
 use super::section::cut_off;
 use crate::math::interpolation::{Interpolant, lagrange_within};
+use crate::math::lanes::{LANES, sin_cos};
 use crate::math::quadrature::miss;
 use crate::progress::Observer;
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f64x8};
 use num_complex::Complex64;
 use rayon::prelude::*;
 
@@ -169,9 +172,22 @@ impl Sections {
     }
 }
 
-/// w e^{iφ}
-fn turned(weight: f64, phase: f64) -> Complex64 {
-    if phase == 0.0 { weight.into() } else { Complex64::from_polar(weight, phase) }
+/// Adds `values` times weight e^{iφ}, φ = `later` τ of the `times` τ, to `sums`.
+#[inline(always)]
+fn add_turned<S: Simd>(
+    simd: S,
+    sums: &mut [Complex64],
+    values: &[Complex64],
+    times: &[f64],
+    (weight, later): (f64, f64),
+) {
+    let eights = sums.chunks_mut(LANES).zip(values.chunks(LANES)).zip(times.chunks(LANES));
+    for ((sums, values), times) in eights {
+        let (sin, cos) = sin_cos(f64x8::from_fn(simd, |i| times.get(i).map_or(0.0, |time| later * time)));
+        for (i, (sum, value)) in sums.iter_mut().zip(values).enumerate() {
+            *sum += value * Complex64::new(weight * cos[i], weight * sin[i]);
+        }
+    }
 }
 
 impl Between<'_> {
@@ -206,9 +222,8 @@ impl Between<'_> {
         let mut sums = vec![Complex64::ZERO; beta.len()];
         for &(omega, section, weight) in &self.parts {
             let values = section.transfers(receiver, slownesses.iter().map(|s| s * omega));
-            for ((sum, value), time) in sums.iter_mut().zip(values).zip(&times) {
-                *sum += value * turned(weight, (omega - self.omega) * time);
-            }
+            let later = omega - self.omega;
+            dispatch!(Level::new(), simd => add_turned(simd, &mut sums, &values, &times, (weight, later)));
         }
         for (sum, _) in sums.iter_mut().zip(&slownesses).filter(|(_, s)| **s > self.reach[receiver]) {
             *sum = Complex64::ZERO;

@@ -1,7 +1,9 @@
 //! One profile out of the many a spectrum allows, as a sum of sinusoids.
 
 use super::{IrregularityError, Spectrum};
+use crate::math::gridding::sum_of_waves;
 use crate::quantity::{finite, positive};
+use num_complex::Complex64;
 use std::f64::consts::TAU;
 
 /// amplitude · cos(Ωx + phase).
@@ -134,6 +136,15 @@ impl Realisation {
     pub fn at(&self, x: f64) -> f64 {
         self.components.iter().map(|c| c.amplitude * (c.wavenumber * x + c.phase).cos()).sum()
     }
+
+    /// r(x) [m] at `count` positions from `from` in steps of `step` [m], by one fast transform.
+    ///
+    /// Accuracy: 1e-10 of Σ a_j.
+    pub fn stretch(&self, from: f64, step: f64, count: usize) -> Vec<f64> {
+        let waves =
+            self.components.iter().map(|c| (c.wavenumber, Complex64::from_polar(c.amplitude, c.phase)));
+        sum_of_waves(waves, from, step, count)
+    }
 }
 
 /// Steele, Lea & Flood 2014, Fast splittable pseudorandom number generators, OOPSLA.
@@ -157,7 +168,6 @@ impl SplitMix64 {
 mod tests {
     use super::*;
     use crate::irregularity::{FraBreakWavenumber, German};
-    use num_complex::Complex64;
 
     fn class_5() -> Spectrum {
         Spectrum::FraBreakWavenumber(FraBreakWavenumber::new(5).unwrap())
@@ -186,6 +196,14 @@ mod tests {
         let (short, long) = (r.between(1.0, 5.0), r.between(5.0, 100.0));
         assert!(!short.components().is_empty() && long.components().iter().all(|c| c.wavelength() >= 5.0));
         assert!((short.at(3.0) + long.at(3.0) - r.at(3.0)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_stretch_is_its_points() {
+        let r = Realisation::of(&class_5(), (1.0, 100.0), 50, 3).unwrap();
+        let most = 1e-10 * r.components().iter().map(|c| c.amplitude).sum::<f64>();
+        let stretch = r.stretch(-20.0, 0.03, 1500);
+        assert!(stretch.iter().zip(0..).all(|(y, i)| (y - r.at(0.03 * f64::from(i) - 20.0)).abs() < most));
     }
 
     #[test]

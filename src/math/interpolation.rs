@@ -254,9 +254,9 @@ fn lagrange_weights<const N: usize>(nodes: &[f64; N], x: f64) -> [f64; N] {
 
 /// x_j = −cos(π(j + ½)/NODES) of the piece, ascending.
 fn chebyshev_nodes(from: f64, to: f64) -> [f64; NODES] {
-    std::array::from_fn(|j| {
-        0.5 * (from + to) - 0.5 * (to - from) * (PI * (j as f64 + 0.5) / NODES as f64).cos()
-    })
+    static UNIT: LazyLock<[f64; NODES]> =
+        LazyLock::new(|| std::array::from_fn(|j| -(PI * (j as f64 + 0.5) / NODES as f64).cos()));
+    UNIT.map(|x| 0.5 * (from + to) + 0.5 * (to - from) * x)
 }
 
 /// c_n = (2 − δ_n0)/NODES Σ_j f_j T_n(x_j), x_j ascending

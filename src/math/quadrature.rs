@@ -103,7 +103,7 @@ impl Panel {
         }
         // QUADPACK's sharpening: (200 |K − G| / ∫|f − mean|)^{3/2}, since K is far better than G
         let mean = panel.value / (to - from);
-        let spread: f64 = (0..15).map(|i| (panel.f[i] - mean).norm() * panel.w[i]).sum();
+        let spread: f64 = (0..15).map(|i| (panel.f[i] - mean).norm_sqr().sqrt() * panel.w[i]).sum();
         let difference = (panel.value - gauss).norm();
         panel.error = if spread > 0.0 && difference > 0.0 {
             spread * (200.0 * difference / spread).powf(1.5).min(1.0)

@@ -11,10 +11,10 @@
 //! e^{−(Δ(y−b)/2)²} of what it takes away. Points, kernels and window do not depend on β but for s, a power of four: they are kept, and a
 //! further receiver costs its sums alone. Every sixteenth β is compared with closer steps and a wider window.
 
-use super::lifted::{Integral, LIFT};
+use super::lifted::{Integral, LIFT, sinc};
 use super::strip::{self, Compliances};
 use crate::math::error_function::erfc;
-use crate::math::lanes::{LANES, Lanes};
+use crate::math::lanes::{LANES, Lanes, exp, sin_cos};
 use crate::math::quadrature::Estimate;
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
@@ -188,8 +188,8 @@ impl<'a> Receivers<'a> {
         let end = (longest / s * (top / longest).sinh()).asinh();
         let step = STEP * CLOSER.powi(refined);
         let count = (end / step / LANES as f64).ceil() as usize * LANES;
-        let weights = vec![<_>::default(); self.y.len()];
-        let mut points = Points { q2: <_>::default(), weights };
+        let mut points = Points { q2: <_>::default(), weights: Vec::new() };
+        let (mut path, mut shares) = (Vec::new(), Vec::new());
         for i in 0..count {
             let u = i as f64 * step;
             let x = s / longest * u.sinh();
@@ -200,19 +200,42 @@ impl<'a> Receivers<'a> {
             let q = Complex64::new(t, d * tanh * fade);
             let window = 0.5 * erfc((t - middle) / width);
             let share = if i == 0 { 0.5 } else { 1.0 } * window * step * slope / PI;
-            let weight = Complex64::new(share, share * rise) * sinc(q * self.half_width);
-            let q2 = q * q;
-            points.q2.0.push(q2.re);
-            points.q2.1.push(q2.im);
-            for ((re, im), y) in points.weights.iter_mut().zip(&self.y) {
-                // cos(q y) of growing e^{−iqy}
-                let wave = (Complex64::new(q.im, -q.re) * y).exp();
-                let weight = weight * (wave + wave.inv()) * 0.5;
-                re.push(weight.re);
-                im.push(weight.im);
+            shares.push(Complex64::new(share, share * rise));
+            path.push(q);
+            points.q2.0.push((q * q).re);
+            points.q2.1.push((q * q).im);
+        }
+        points.weights = dispatch!(Level::new(), simd => self.weights_in_lanes(simd, &path, &shares));
+        Some(points)
+    }
+
+    /// sinc(q b) cos(q y) times the `shares` of the points of the `path`, receiver by receiver.
+    #[inline(always)]
+    fn weights_in_lanes<S: Simd>(
+        &self,
+        simd: S,
+        path: &[Complex64],
+        shares: &[Complex64],
+    ) -> Vec<(Vec<f64>, Vec<f64>)> {
+        let load = |z: &[Complex64]| Lanes {
+            re: f64x8::from_fn(simd, |i| z[i].re),
+            im: f64x8::from_fn(simd, |i| z[i].im),
+        };
+        let mut weights =
+            vec![(Vec::with_capacity(path.len()), Vec::with_capacity(path.len())); self.y.len()];
+        for (q, share) in path.chunks_exact(LANES).zip(shares.chunks_exact(LANES)) {
+            let q = load(q);
+            let share = load(share) * sinc(q.times(self.half_width));
+            for ((re, im), y) in weights.iter_mut().zip(&self.y) {
+                // cos z = cos x cosh y − i sin x sinh y
+                let ((sin, cos), up) = (sin_cos(q.re * *y), exp(q.im * *y));
+                let down = 1.0 / up;
+                let weight = share * Lanes { re: cos * (up + down) * 0.5, im: sin * (down - up) * 0.5 };
+                re.extend((0..LANES).map(|i| weight.re[i]));
+                im.extend((0..LANES).map(|i| weight.im[i]));
             }
         }
-        Some(points)
+        weights
     }
 
     /// Σ G times the weights of each receiver; None where G has lost too many digits.
@@ -240,9 +263,4 @@ impl<'a> Receivers<'a> {
         let sum = |sum: &Lanes<S>| Complex64::new(sum.re.reduce_sum(), sum.im.reduce_sum());
         Some(sums.iter().map(sum).collect())
     }
-}
-
-/// sin z/z
-fn sinc(z: Complex64) -> Complex64 {
-    if z.norm_sqr() < 1e-8 { 1.0 - z * z / 6.0 } else { z.sin() / z }
 }

@@ -218,7 +218,7 @@ impl Path {
 
 /// sin z/z for |Im z| ≤ 0.7.
 #[inline(always)]
-fn sinc<S: Simd>(z: Lanes<S>) -> Lanes<S> {
+pub(super) fn sinc<S: Simd>(z: Lanes<S>) -> Lanes<S> {
     let (sin, cos) = sin_cos(z.re);
     let up = exp(z.im);
     let down = 1.0 / up;

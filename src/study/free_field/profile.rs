@@ -61,8 +61,9 @@ impl PassVelocities<'_> {
             && let Some(profile) = profiles.first()
         {
             let half = (0.5 * STRETCH).min(0.5 * profile.repeat_length());
-            let x: Vec<f64> = (0..=POINTS).map(|i| half * (2.0 * i as f64 / POINTS as f64 - 1.0)).collect();
-            let y = x.iter().map(|x| 1e3 * profile.at(*x)).collect();
+            let step = 2.0 * half / POINTS as f64;
+            let x = (0..=POINTS).map(|i| step * i as f64 - half).collect();
+            let y = profile.stretch(-half, step, POINTS + 1).iter().map(|r| 1e3 * r).collect();
             let carrier = match irregularity {
                 Irregularity::Given { carrier: Carrier::Wheels { .. }, .. } => "around a wheel",
                 _ => "of the rail",
