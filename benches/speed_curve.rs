@@ -33,16 +33,20 @@ fn baseline_u_zz_1e6(bencher: Bencher) {
 #[divan::bench(args = [1, 20], sample_count = 5)]
 fn hundred_speeds(bencher: Bencher, axles: usize) {
     let model = model(axles, Solver::DirectStiffness);
-    let study =
-        CriticalSpeed { speeds: (0..100).map(|i| 10.0 + 2.0 * f64::from(i)).collect(), line_speed: None };
+    let study = CriticalSpeed {
+        speeds: (0..100).map(|i| 10.0 + 2.0 * f64::from(i)).collect(),
+        ..CriticalSpeed::default()
+    };
     bencher.bench(|| study.run(&model, &Silent).unwrap());
 }
 
 /// The same for one axle with modes of thin layers instead of quadrature.
 #[divan::bench(sample_count = 5)]
 fn hundred_speeds_from_modes(bencher: Bencher) {
-    let study =
-        CriticalSpeed { speeds: (0..100).map(|i| 10.0 + 2.0 * f64::from(i)).collect(), line_speed: None };
+    let study = CriticalSpeed {
+        speeds: (0..100).map(|i| 10.0 + 2.0 * f64::from(i)).collect(),
+        ..CriticalSpeed::default()
+    };
     // a new model each time: modes are kept
     bencher
         .with_inputs(|| model(1, Solver::ThinLayer(ThinLayer::default())))

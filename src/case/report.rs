@@ -123,6 +123,9 @@ fn excitation(studies: &[Study]) -> Vec<String> {
     }
     for study in studies {
         match study {
+            Study::CriticalSpeed(study) => list.extend(study.accuracy.map(|accuracy| {
+                format!("Deflections of the speed curve are computed to {accuracy:e} of that under an axle, as asked.")
+            })),
             Study::GroundAtDepth(_) => list.push("Stresses and strains at depth are those that the train adds, by exact layer matrices whatever the solver of the surface; tension and extension positive, shear strains as engineers count them (γ = 2ε). At an interface they are those just below it.".into()),
             Study::Receptance(_) => list.push("Receptances are per unit harmonic force e^{iωt} standing on the rail, on both rails alike unless the case says rails = 1.".into()),
             Study::TrackResponse(study) => list.extend(study.harmonic.map(|frequency| {

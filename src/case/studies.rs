@@ -150,7 +150,15 @@ fn critical_speed(input: &CriticalSpeedInput) -> Result<CriticalSpeed, Finding> 
     let speeds = speeds(&input.speeds, "critical_speed.speeds")?;
     ascending(&speeds, "critical_speed.speeds")?;
     let line_speed = line_speed(input.line_speed, "critical_speed.line_speed")?;
-    Ok(CriticalSpeed { speeds, line_speed })
+    let accuracy = match input.accuracy {
+        Some(a) if !(1e-8..=1e-2).contains(&a) => {
+            let message = format!("found {a}: the accuracy must lie between 1e-8 and 0.01");
+            let help = "leave it out for 1e-5; 1e-3 will do for searches and studies of many grounds";
+            return Err(Finding::new("critical_speed.accuracy", message).help(help));
+        }
+        accuracy => accuracy,
+    };
+    Ok(CriticalSpeed { speeds, line_speed, accuracy })
 }
 
 fn equivalent_stiffness(input: &EquivalentStiffnessInput) -> Result<EquivalentStiffness, Finding> {

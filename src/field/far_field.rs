@@ -128,9 +128,12 @@ fn order(i: usize) -> usize {
 impl ImageTable {
     /// The image at (x, y) [m] from the load, per newton.
     pub fn at(&self, x: f64, y: f64) -> f64 {
-        let r = x.hypot(y);
-        let row = ((r / self.length).asinh() * self.density + 1.0).min((self.rows - 3) as f64);
-        let column = (y.atan2(x).rem_euclid(TAU) / TAU) * DIRECTIONS as f64;
+        // lengths of metres: no root of squares over- or underflows, and asinh x = ln(x + √(x² + 1)) of x ≥ 0 loses nothing that counts
+        let r2 = (x * x + y * y) / (self.length * self.length);
+        let reach = (1.0 + r2).sqrt();
+        let row = ((r2.sqrt() + reach).ln() * self.density + 1.0).min((self.rows - 3) as f64);
+        let turn = y.atan2(x) / TAU;
+        let column = if turn < 0.0 { turn + 1.0 } else { turn } * DIRECTIONS as f64;
         let (i, j) = (row.floor() as usize, column.floor() as usize);
         let (across, along) = (cubic_weights(row - i as f64), cubic_weights(column - j as f64));
         let mut sum = 0.0;
@@ -142,7 +145,7 @@ impl ImageTable {
                 sum += a * b * line[(j + n + DIRECTIONS - 1 + turn) % DIRECTIONS];
             }
         }
-        sum / (TAU * self.length.hypot(r))
+        sum / (TAU * self.length * reach)
     }
 }
 

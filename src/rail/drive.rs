@@ -113,7 +113,7 @@ impl TrackOnFoundation<'_> {
     /// k along ω = −βv of a constant load for β > 0 within its `extent`, interpolated piecewise; its logarithmic growth as β → 0 is
     /// nearly a straight line in ln β. It begins with the `pieces` of a line `near` by, where there is one.
     ///
-    /// Accuracy: the table's error is at most `ACCURACY` of ∫ |ũ_r| dβ, a thousand times as much on foundations that are computed in
+    /// Accuracy: the table's error is at most the `accuracy` of ∫ |ũ_r| dβ, a thousand times as much on foundations that are computed in
     /// pieces: no more is asked of thin layers than their own accuracy is worth.
     ///
     /// # Errors
@@ -125,13 +125,13 @@ impl TrackOnFoundation<'_> {
         near: Option<&[f64]>,
     ) -> Result<Line<'_>, FoundationError> {
         let drive = Drive { omega: 0.0, speed };
-        let Some(plan) = Plan::new(self.foundation.grain(), drive, extent.end, near) else {
+        let Some(plan) = Plan::new(self.foundation.grain(), drive, (extent.end, self.accuracy), near) else {
             return Ok(self.formula(drive));
         };
         let Plan { axis, shared, .. } = plan;
         let allowed = |beta: f64, stiffness| match beta > extent.felt {
             true => f64::INFINITY,
-            false => self.bearable(drive, beta, stiffness, ACCURACY * extent.sum),
+            false => self.bearable(drive, beta, stiffness, self.accuracy * extent.sum),
         };
         let count = Cell::new(0);
         let asker =
@@ -271,14 +271,18 @@ struct Plan {
 }
 
 impl Plan {
-    /// As the `grain` of a foundation has it, up to β = `end`, from the pieces of a line `near` by where there is one; None of a formula.
-    fn new(grain: Grain, drive: Drive, end: f64, near: Option<&[f64]>) -> Option<Self> {
+    /// As the `grain` of a foundation has it, for deflections of an `accuracy`, up to β = `end`, from the pieces of a line `near` by where there is one; None of a formula.
+    fn new(grain: Grain, drive: Drive, (end, accuracy): (f64, f64), near: Option<&[f64]>) -> Option<Self> {
         let ends = match grain {
             Grain::Formula => return None,
             Grain::Smooth => None,
             Grain::Pieces(ends) => Some(ends),
         };
-        let (first, looser, loosest) = if ends.is_some() { (1e-2, 1000.0, 1.0) } else { (1e-4, 1.0, 1e-3) };
+        let share = accuracy / ACCURACY;
+        let (first, looser, loosest) = match ends {
+            Some(_) => (1e-2, 1000.0, 1.0),
+            None => ((1e-4 * share).min(1e-2), 1.0, (1e-3 * share).min(0.1)),
+        };
         // at rest there are no frequencies to share
         let ends = ends.filter(|_| drive.speed != 0.0);
         let shared = ends.is_some();

@@ -24,6 +24,6 @@ pub(crate) use moving_load::panels;
 pub use moving_load::{MovingLoad, MovingSpectrum, RailLoad, RailWaves, Shape};
 pub use periodic::Landmark;
 pub use receptance::{Answer, Method, Moving, RailError, Receptance};
+pub use track_on_foundation::{ACCURACY, InteractionError, TrackOnFoundation};
 pub(crate) use track_on_foundation::{BETA_CAP, BETA_MIN};
-pub use track_on_foundation::{InteractionError, TrackOnFoundation};
 pub(crate) use waves::Waves;

@@ -9,7 +9,7 @@
 
 use super::drive::Line;
 use super::tail::Tail;
-use super::track_on_foundation::{ACCURACY, BETA_MIN, InteractionError, TrackOnFoundation};
+use super::track_on_foundation::{BETA_MIN, InteractionError, TrackOnFoundation};
 use super::waves::Waves;
 use crate::math::quadrature::{Adaptive, Rule, Tolerance};
 use crate::soil::strip::sinc;
@@ -105,6 +105,7 @@ impl TrackOnFoundation<'_> {
         Ok(MovingSpectrum {
             stack: self.stack,
             half_length: self.half_length,
+            accuracy: self.accuracy,
             line,
             speed,
             beta_max: extent.end,
@@ -152,6 +153,7 @@ impl TrackOnFoundation<'_> {
 pub struct MovingSpectrum<'a> {
     stack: &'a Stack,
     half_length: f64,
+    accuracy: f64,
     line: Line<'a>,
     speed: f64,
     /// Beyond it [rad/m] nothing matters.
@@ -164,13 +166,13 @@ impl MovingSpectrum<'_> {
         let mut integral = Adaptive::new();
         let mut integrand = |beta: f64| self.at(beta).rail - tail.of(beta);
         integral.add(&mut integrand, &panels(self.beta_max, reach));
-        let tolerance = Tolerance { relative: ACCURACY, absolute: 0.0, max_count: MAX_COUNT };
+        let tolerance = Tolerance { relative: self.accuracy, absolute: 0.0, max_count: MAX_COUNT };
         let estimate = integral.refine(&mut integrand, PI * tail.at(0.0), tolerance);
         let error = estimate.error / (estimate.value + PI * tail.at(0.0)).norm();
         if !estimate.converged && (error.is_nan() || error > 1e-3) {
             return Err(InteractionError::Diverges { speed: self.speed, error });
         }
-        Ok((integral.into_rule(), self.worst().max(estimate.miss(ACCURACY))))
+        Ok((integral.into_rule(), self.worst().max(estimate.miss(self.accuracy))))
     }
 
     /// Displacements per unit load [m per N/m], and the force handed down [1], at `beta` ≥ 0 [rad/m].

@@ -12,8 +12,8 @@ pub(crate) const BETA_MIN: f64 = 1e-6;
 /// A point load whose spectrum has not faded here [rad/m] stands on nothing that spreads it.
 pub(crate) const BETA_CAP: f64 = 400.0;
 
-/// Wanted error of the integral relative to the deflection under the load.
-pub(super) const ACCURACY: f64 = 1e-5;
+/// Wanted error of deflections under moving loads, relative to that under the load itself, unless another one is asked.
+pub const ACCURACY: f64 = 1e-5;
 
 /// A stack on a foundation.
 pub struct TrackOnFoundation<'a> {
@@ -21,6 +21,8 @@ pub struct TrackOnFoundation<'a> {
     pub(crate) foundation: &'a dyn Foundation,
     /// Half-length of each axle's contact along the track [m]; 0 for a point on a rail.
     pub(crate) half_length: f64,
+    /// Wanted error of deflections under moving loads, relative to that under the load.
+    pub(super) accuracy: f64,
 }
 
 /// Why a moving response cannot be computed.
@@ -80,7 +82,12 @@ impl Quiet {
 impl<'a> TrackOnFoundation<'a> {
     /// `stack` on `foundation`, each axle pressing over 2 × `half_length` [m] (0: a point, as on rails).
     pub fn new(stack: &'a Stack, foundation: &'a dyn Foundation, half_length: f64) -> Self {
-        Self { stack, foundation, half_length }
+        Self { stack, foundation, half_length, accuracy: ACCURACY }
+    }
+
+    /// The same to another `accuracy` of deflections under moving loads: at 1e-3, a search will do, in half the time.
+    pub fn to_accuracy(self, accuracy: f64) -> Self {
+        Self { accuracy, ..self }
     }
 
     /// How far the spectrum of the rail reaches at `speed` [m/s], and that of the `base` where it is asked for.
@@ -106,10 +113,10 @@ impl<'a> TrackOnFoundation<'a> {
             sum += response.rail.norm() * load * beta * STEP;
             // what the foundation adds to the rail's deflection, q²/k, q the force handed down
             let added = response.force.norm_sqr() / stiffness.norm();
-            unfelt.step(beta, added * beta <= 0.1 * ACCURACY * sum);
+            unfelt.step(beta, added * beta <= 0.1 * self.accuracy * sum);
             // the base has no tail
             let most = if base { left.max(response.base.norm() * load) } else { left };
-            faded.step(beta, most * beta < 0.5 * ACCURACY * sum);
+            faded.step(beta, most * beta < 0.5 * self.accuracy * sum);
             let bounded = beta <= BETA_CAP || self.half_length > 0.0;
             if let Some(end) = faded.since().or((beta > enough).then_some(beta)) {
                 let felt = unfelt.first.unwrap_or(end).min(end);

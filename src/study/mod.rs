@@ -317,7 +317,7 @@ impl Study {
             railway.check_statics()?;
         }
         let speeds: Vec<f64> = match self {
-            Self::CriticalSpeed(CriticalSpeed { speeds, line_speed }) => {
+            Self::CriticalSpeed(CriticalSpeed { speeds, line_speed, .. }) => {
                 speeds.iter().chain(line_speed).copied().collect()
             }
             Self::TrackResponse(TrackResponse { speeds, .. }) => speeds.clone(),

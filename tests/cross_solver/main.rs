@@ -11,6 +11,7 @@ mod depths;
 mod free_field;
 mod k_eq;
 mod light_damping;
+mod many_grounds;
 mod passage;
 mod periodic;
 mod periodic_moving;

@@ -10,7 +10,7 @@ pub use line_speed::{LineSpeed, Reached};
 
 use super::{Outcome, StudyError};
 use crate::progress::Observer;
-use crate::rail::RailLoad;
+use crate::rail::{ACCURACY, RailLoad};
 use crate::railway::{Railway, RailwayError};
 use extremes::{Extremes, reach};
 use rayon::prelude::*;
@@ -27,6 +27,8 @@ pub struct CriticalSpeed {
     pub speeds: Vec<f64>,
     /// At which trains are to run [m/s].
     pub line_speed: Option<f64>,
+    /// Wanted error of deflections relative to that under the load; [`ACCURACY`] where none is given.
+    pub accuracy: Option<f64>,
 }
 
 /// What the track does at every speed.
@@ -60,7 +62,7 @@ impl CriticalSpeed {
     /// # Errors
     /// No track, no train, undamped waves.
     pub fn solve(&self, railway: &Railway, observer: &dyn Observer) -> Result<SpeedCurves, StudyError> {
-        let track = railway.track()?;
+        let track = railway.track()?.to_accuracy(self.accuracy.unwrap_or(ACCURACY));
         let train = railway.train()?;
         let axle = train.heaviest_axle();
         let loads = if train.axles().len() > 1 { vec![&axle, train] } else { vec![&axle] };
