@@ -84,11 +84,12 @@ impl Pass<'_> {
         let ground = (profile, pointwise(solver));
         let reach = self.speed * times.period().max(times.first.abs());
         observer.begin("quasi-static", self.receivers.len() as u64);
+        let spectrum = track.spectrum(self.speed)?;
         let rows: Vec<(Vec<f64>, f64)> = self
             .receivers
             .par_iter()
             .map(|&y| {
-                let one = track.passage(ground, strip, self.speed, y, reach)?;
+                let one = spectrum.passage(ground, strip, y, reach)?;
                 let all = one.of_train(self.train.axles());
                 observer.advance();
                 Ok((all.velocities(times.first, times.step, times.count), one.worst))

@@ -86,8 +86,13 @@ impl<'a> Transfer<'a> {
         }
         let under = self.compliance(beta, relative);
         let force = self.force(beta, under.value);
-        let h = |y: &f64| {
-            let beside = self.ground.receiver(beta, self.strip.half_width, *y, relative);
+        let heard: Vec<f64> = y.iter().copied().filter(arrives).collect();
+        // one integral for all; those so much quieter than the nearest that they are not known by it have one of their own
+        let mut all = self.receivers(beta, &heard, relative).into_iter();
+        let mut h = |y: &f64| {
+            let alone = || self.ground.receiver(beta, self.strip.half_width, *y, relative);
+            let beside = all.next().filter(|beside| beside.error <= relative * beside.value.norm());
+            let beside = beside.unwrap_or_else(alone);
             (force * beside.value, under.miss(least).max(beside.miss(least)))
         };
         y.iter().map(|y| arrives(y).then(|| h(y))).collect()

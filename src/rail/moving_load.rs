@@ -155,7 +155,8 @@ pub struct MovingSpectrum<'a> {
     half_length: f64,
     accuracy: f64,
     line: Line<'a>,
-    speed: f64,
+    /// v [m/s]
+    pub speed: f64,
     /// Beyond it [rad/m] nothing matters.
     pub beta_max: f64,
 }

@@ -35,7 +35,7 @@ fn history_is_the_slice_of_the_contour() {
         let window = Window { x: (-40.0, 20.0), y: (0.0, 8.0), spacing: 0.25 };
         let contour = field.compute(&window, &field.grid(&window, 400.0), &[Quantity::Vertical]).unwrap();
         let line = contour.values[0].row(contour.y.len() - 1).to_vec();
-        let passage = track.passage((&profile, Solver::DirectStiffness), strip(), speed, 8.0, 60.0).unwrap();
+        let passage = spectrum.passage((&profile, Solver::DirectStiffness), strip(), 8.0, 60.0).unwrap();
         assert!(passage.worst <= 1.0);
         let largest = line.iter().fold(0.0f64, |m, u| m.max(u.abs()));
         let worst = contour
@@ -77,7 +77,8 @@ fn bands_of_the_history_are_those_of_the_spectrum() {
     let outcome = study.run(&model, &Silent).unwrap();
     let spectrum = outcome.group.get("v_rms_quasi_static").unwrap().to_vec();
     let track = model.track().unwrap();
-    let passage = track.passage((&profile, Solver::DirectStiffness), strip(), speed, y, 700.0).unwrap();
+    let load = track.spectrum(speed).unwrap();
+    let passage = load.passage((&profile, Solver::DirectStiffness), strip(), y, 700.0).unwrap();
     // long enough that the 1/t² tails of velocity do not count
     let step = 1.0 / 256.0;
     let values = passage.of_train(&axles).velocities(-2560.0 * step, step, 5120);
