@@ -148,3 +148,42 @@ fn the_contour_lies_above() {
         assert!(worst[0] < 3e-3 && worst[1].max(worst[2]) < 5e-4, "{worst:?}");
     }
 }
+
+/// The factors of a long train oscillate fast along β: integrated as such, they give what its axles give one by one.
+#[test]
+fn a_train_is_its_axles() {
+    let profile = layered();
+    let axles: Vec<Axle> = (0..20)
+        .map(|i| Axle { position: 60.0 / 19.0 * f64::from(i), load: 100e3 + 5e3 * f64::from(i % 4) })
+        .collect();
+    let train = Train::new(axles.clone()).unwrap();
+    let force = |beta: f64| Complex64::from((-0.5 * beta * beta).exp());
+    let load = || GroundLoad::Strip { force: &force, beta_max: 7.0, half_width: 1.25 };
+    let (x, y, z) = ([-61.0, -30.5, -2.0, 3.0], [0.0, 2.0], [0.7, 3.0]);
+    for speed in [0.0, 60.0, 140.0] {
+        let whole = Underground { profile: &profile, speed, train: &train, load: load() };
+        let whole = whole.compute((&x, &y, &z), 1e-5).unwrap();
+        assert!(whole.converged, "{speed}: {:e}", whole.error);
+        let single = one(1.0);
+        let single = Underground { profile: &profile, speed, train: &single, load: load() };
+        // x′ of each axle's own
+        let places: Vec<f64> = axles.iter().flat_map(|axle| x.map(|x| x + axle.position)).collect();
+        let single = single.compute((&places, &y, &z), 1e-8).unwrap().values;
+        let mut worst = 0.0f64;
+        for c in 0..COMPONENTS.len() {
+            for d in 0..z.len() {
+                let (mut largest, mut apart) = (0.0f64, 0.0f64);
+                for (j, i) in (0..y.len()).flat_map(|j| (0..x.len()).map(move |i| (j, i))) {
+                    let term = |(n, axle): (usize, &Axle)| axle.load * single[(c, d, j, n * x.len() + i)];
+                    let sum: f64 = axles.iter().enumerate().map(term).sum();
+                    largest = largest.max(sum.abs());
+                    apart = apart.max((whole.values[(c, d, j, i)] - sum).abs());
+                }
+                worst = worst.max(apart / largest);
+            }
+        }
+        println!("{speed} m/s: {worst:.1e}");
+        // measured 7.2e-7 at most; asked were 1e-5
+        assert!(worst < 2e-6, "{speed}: {worst:e}");
+    }
+}
