@@ -18,6 +18,19 @@ const UNITS: [&str; 22] = [
     "dB/m", "rad/m", "1/m", "kg", "J", "%", "rad",
 ];
 
+/// The unit in which a reader thinks of values up to `size` [SI], and what they are times.
+fn of_readers(si: &str, size: f64) -> (&str, f64) {
+    match si {
+        "m" if size < 0.1 => ("mm", 1e3),
+        "m/s" if size < 0.5 => ("mm/s", 1e3),
+        "m/s" => ("km/h", 3.6),
+        "Pa" if size >= 1e3 => ("kPa", 1e-3),
+        "N" if size >= 1e3 => ("kN", 1e-3),
+        "1" => ("", 1.0),
+        si => (si, 1.0),
+    }
+}
+
 fn unit(text: &str) -> &'static str {
     UNITS.into_iter().find(|unit| *unit == text).unwrap_or("")
 }
@@ -38,11 +51,9 @@ impl Against {
                 _ => String::new(),
             };
             let si = change.of.unit.as_str();
-            let [first, second] = [a, b].map(significant);
-            let shown = match si {
-                "1" | "" => format!("{first} → {second}{percent}"),
-                si => format!("{first} → {second} {si}{percent}"),
-            };
+            let (of, times) = of_readers(si, a.abs().max(b.abs()));
+            let [first, second] = [a, b].map(|value| significant(times * value));
+            let shown = format!("{first} → {second}{}{of}{percent}", if of.is_empty() { "" } else { " " });
             let key = format!("{}_{}", change.study, change.of.key);
             Answer::new(&key, format!("{}: {}", change.study, change.of.what), b - a, unit(si), shown)
         }));

@@ -1,5 +1,6 @@
 //! What the free field may be doubted for.
 
+use super::metrics::significant;
 use super::{Carrier, Driven, FreeField, Irregularity, PassVelocities};
 use crate::concern::Concern;
 use crate::irregularity::Spectrum;
@@ -130,8 +131,12 @@ impl FreeField {
             concerns.push(Concern::new(
                 "spectrum-range",
                 format!(
-                    "wavelengths {shortest:.4} to {longest:.4} m go beyond those for which the spectrum is published, {least:.4} to {most:.4} m: \
-                     {share:.3} % of the energy σ² of the profile lies out there"
+                    "wavelengths {} to {} m go beyond those for which the spectrum is published, {} to {} m: \
+                     {share:.3} % of the energy σ² of the profile lies out there",
+                    significant(shortest),
+                    significant(longest),
+                    significant(least),
+                    significant(most)
                 ),
                 "narrow irregularity.wavelengths, or read the bands driven by them as extrapolated",
             ));

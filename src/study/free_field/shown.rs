@@ -58,16 +58,20 @@ impl PassVelocities<'_> {
     fn level_answer(&self, velocities: &[Array2<f64>; 3], r: usize, y: f64) -> Result<Answer, StudyError> {
         let broadband = |v: &Array2<f64>| v.row(r).iter().map(|v| v * v).sum::<f64>().sqrt();
         let [quasi_static, dynamic, value] = [0, 1, 2].map(|part| broadband(&velocities[part]));
-        let level = if value > 0.0 {
-            Level::of(value, Reference::Iso1683)?.to_string()
-        } else {
-            "less than 1e-10 of what the track feels arrives".into()
-        };
+        let level = if value > 0.0 { Some(Level::of(value, Reference::Iso1683)?) } else { None };
+        let nothing = || "less than 1e-10 of what the track feels arrives".to_owned();
         let what = format!("R.m.s. velocity at {y} m over {:.2} s, all bands", self.passage_time);
         let [whole, smooth, rough] = [value, quasi_static, dynamic].map(|v| significant(1e3 * v));
-        let shown = format!("{whole} mm/s (quasi-static {smooth}, dynamic {rough}), {level}");
-        let columns =
-            [("v_rms [mm/s]", whole), ("quasi-static", smooth), ("dynamic", rough), ("level", level)];
+        let said = level.map_or_else(nothing, |level| level.to_string());
+        let shown = format!("{whole} mm/s (quasi-static {smooth}, dynamic {rough}), {said}");
+        let heading = format!("level [{}]", Reference::Iso1683.name());
+        let level = level.map_or_else(nothing, |level| format!("{:.1}", level.decibels));
+        let columns = [
+            ("v_rms [mm/s]", whole),
+            ("quasi-static [mm/s]", smooth),
+            ("dynamic [mm/s]", rough),
+            (&heading, level),
+        ];
         let answer = Answer::new(&format!("v_rms_{y}"), what, value, "m/s", shown);
         Ok(answer.in_table(Self::row(self.velocities_table(), y, columns)))
     }
