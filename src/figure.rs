@@ -121,6 +121,21 @@ pub struct MapFigure {
     pub overlay: Vec<Series>,
 }
 
+/// Horizontal bars from zero, one below the other; those of several series lie over one another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BarFigure {
+    /// File stem.
+    pub name: String,
+    /// Title above the picture.
+    pub title: String,
+    /// Label of the x axis, with unit.
+    pub x_label: String,
+    /// What each bar is of, from above.
+    pub labels: Vec<String>,
+    /// Name of each series, and its values for all labels.
+    pub series: Vec<(String, Vec<f64>)>,
+}
+
 /// A layer of the ground, drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnLayer {
@@ -163,6 +178,8 @@ pub enum Figure {
     Lines(LineFigure),
     /// A filled map.
     Map(MapFigure),
+    /// Bars.
+    Bars(BarFigure),
     /// Train, track and ground.
     Sketch(SketchFigure),
 }
@@ -173,6 +190,7 @@ impl Figure {
         match self {
             Self::Lines(figure) => &figure.name,
             Self::Map(figure) => &figure.name,
+            Self::Bars(figure) => &figure.name,
             Self::Sketch(figure) => &figure.name,
         }
     }
@@ -182,6 +200,7 @@ impl Figure {
         match self {
             Self::Lines(figure) => &figure.title,
             Self::Map(figure) => &figure.title,
+            Self::Bars(figure) => &figure.title,
             Self::Sketch(figure) => &figure.title,
         }
     }

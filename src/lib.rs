@@ -18,6 +18,7 @@
 //! | 1 | [`signal`] | histories, their energy spectrum, filters |
 //! | 1 | [`vehicle`] | axle loads, bodies on springs, wheel–rail contact |
 //! | 1 | [`irregularity`] | published spectra of the rail's profile, profiles as sums of sinusoids |
+//! | 1 | [`sampling`] | distributions, how numbers vary together, Monte Carlo, Latin hypercubes, grids |
 //! | 2 | [`foundation`] | what a track stands on: k(β, ω), of springs or of layered ground |
 //! | 2 | [`assessment`] | third octaves, levels, KB, weighted acceleration and dose, guide values |
 //! | 2 | [`output`] | HDF5, CSV, JSON, pictures, report |
@@ -26,6 +27,7 @@
 //! | 5 | [`railway`] | ground or springs, track, train |
 //! | 5 | [`study`] | one folder per question: critical speed, dispersion, track response, contour, receptance, free field, tables |
 //! | 6 | [`case`](mod@case) | case files, their checks, the library of parameter sets, the runner |
+//! | 7 | [`ensemble`] | samples of an uncertain case, run in chunks, gathered |
 //!
 //! # Symbols
 //!
@@ -61,6 +63,7 @@ pub mod concern;
 pub mod contact;
 pub mod count;
 pub mod dataset;
+pub mod ensemble;
 pub mod field;
 pub mod figure;
 pub mod foundation;
@@ -72,6 +75,7 @@ pub mod progress;
 pub mod quantity;
 pub mod rail;
 pub mod railway;
+pub mod sampling;
 pub mod signal;
 pub mod soil;
 pub mod study;

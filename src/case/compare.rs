@@ -1,6 +1,6 @@
 //! Two cases, or the folders of two runs, against one another.
 
-use super::runner::{Page, RunError, RunOptions, Summary, leave};
+use super::runner::{Beside, Page, RunError, RunOptions, Summary, leave};
 use super::{Case, CaseError};
 use crate::output::{ReportTable, hdf5};
 use crate::progress::Observer;
@@ -104,5 +104,5 @@ pub fn compare(
         ],
         tables: vec![largest],
     };
-    Ok(leave("comparison", outcome, page, options)?)
+    Ok(leave(vec![("comparison", outcome)], page, Beside::default(), options)?)
 }

@@ -171,7 +171,8 @@ mod tests {
     fn numbers_without_a_unit_are_known_to_have_none() {
         let ends = NUMBERS
             .iter()
-            .filter(|(_, unit)| unit.name.is_empty())
+            // those of [study] have the unit of the key that varies
+            .filter(|(path, unit)| unit.name.is_empty() && !path.starts_with("study."))
             .filter_map(|(path, _)| path.rsplit('.').next());
         let unknown: BTreeSet<&str> = ends.filter(|key| !BARE.contains(key)).collect();
         assert!(unknown.is_empty(), "{unknown:?}: give their units in brackets, or name them here");

@@ -7,6 +7,7 @@ use super::faults::{self, Read};
 use super::loader::Loader;
 use super::schema::{CaseInput, SoilInput};
 use super::track::Carried;
+use super::uncertain::Uncertain;
 use super::values::Named;
 use super::vehicle::Wheels;
 use super::{files, ground, plausible, roughness, studies, track, train};
@@ -45,6 +46,8 @@ pub struct Case {
     pub studies: Vec<Study>,
     /// What its numbers may be doubted for: slips of unit, profiles with gaps.
     pub concerns: Vec<Concern>,
+    /// What of it is uncertain: its samples are run by [`crate::ensemble`].
+    pub study: Option<Uncertain>,
 }
 
 /// Ground or springs, and the solver to verify the ground with.
@@ -288,6 +291,7 @@ impl Case {
         let faults = faults.into_iter().chain(heads).map(|finding| loader.fault(finding));
         loader.faults.borrow_mut().extend(faults.collect::<Vec<_>>());
         let concerns = loader.review(&input);
+        let study = input.study.as_ref().and_then(|study| loader.keep(loader.uncertain(study)));
         let railways = match (ground, track, train) {
             (Some((mut support, second)), Some((layout, contact, _)), Some(train)) => {
                 if let Support::Ground(ground) = &mut support {
@@ -313,6 +317,7 @@ impl Case {
                 witness,
                 studies,
                 concerns,
+                study,
             }),
             (_, faults) => Err(CaseError::all(faults, name)),
         }

@@ -1,6 +1,6 @@
 //! A measured history: read, assessed as a computed free field is, written as a run is.
 
-use super::runner::{Page, RunError, RunOptions, Summary, leave};
+use super::runner::{Beside, Page, RunError, RunOptions, Summary, leave};
 use crate::study::{Assessment, MeasuredHistory, RecordError};
 use std::path::Path;
 use thiserror::Error;
@@ -57,5 +57,5 @@ pub fn assess(path: &Path, assessment: Assessment, options: &RunOptions) -> Resu
         assumptions.push("Velocities are integrated from accelerations above 0.4 Hz.".to_owned());
     }
     let page = Page { title: format!("Measured history {file}"), input, assumptions, tables: Vec::new() };
-    Ok(leave("record", outcome, page, options)?)
+    Ok(leave(vec![("record", outcome)], page, Beside::default(), options)?)
 }

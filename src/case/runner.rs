@@ -13,6 +13,9 @@ use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 
+/// The file with all arrays of a case.
+const RESULTS: &str = "results.h5";
+
 /// Where and how.
 #[derive(Clone, Debug)]
 pub struct RunOptions {
@@ -180,23 +183,23 @@ fn write(
         attributes.push(("source".into(), source.clone().into()));
     }
     attributes.extend(verification.map(Verification::attributes).into_iter().flatten());
-    write_arrays(attributes, outcomes, &drawings, csv_maps, folder)?;
+    write_arrays((RESULTS, attributes), outcomes, &drawings, csv_maps, folder)?;
     json::write(&summary(case, outcomes, verification, concerns), &folder.join("summary.json"))?;
     let figures = drawings.into_iter().map(|d| (d.title, d.caption, d.picture.svg)).collect();
     let html = report::report(case, outcomes, verification, concerns, figures).html();
     Ok(save(&folder.join("report.html"), html.as_bytes())?)
 }
 
-/// `results.h5`, a table of each group, the pictures.
+/// All arrays in the file `name` with `attributes`, a table of each group, the pictures.
 fn write_arrays(
-    attributes: Vec<(String, Attribute)>,
+    (name, attributes): (&str, Vec<(String, Attribute)>),
     outcomes: &[(&'static str, Outcome)],
     drawings: &[Drawing],
     csv_maps: bool,
     folder: &Path,
 ) -> Result<(), RunError> {
     let groups = outcomes.iter().map(|(_, o)| o.group.clone()).collect();
-    hdf5::write(&Dataset { attributes, groups }, &folder.join("results.h5"))?;
+    hdf5::write(&Dataset { attributes, groups }, &folder.join(name))?;
     for (_, outcome) in outcomes {
         csv::write(&outcome.group, folder, csv_maps)?;
     }
@@ -206,8 +209,8 @@ fn write_arrays(
     Ok(())
 }
 
-/// What stands in the report of something that is no case: a record, a comparison.
-pub(super) struct Page {
+/// What stands in the report of something that is no case: a record, a comparison, a study.
+pub(crate) struct Page {
     /// Title of the report.
     pub title: String,
     /// What it was made of.
@@ -218,31 +221,52 @@ pub(super) struct Page {
     pub tables: Vec<ReportTable>,
 }
 
-/// Leaves `outcome`, which is of no case, in a folder as [`run`] leaves a case.
+/// What stands beside its report.
+pub(crate) struct Beside {
+    /// Name of the file with all arrays.
+    pub arrays: &'static str,
+    /// Head of the report, as rows.
+    pub about: Vec<(String, String)>,
+    /// Attributes of that file, besides title and version.
+    pub attributes: Vec<(String, Attribute)>,
+    /// Other files: names and texts.
+    pub files: Vec<(String, String)>,
+}
+
+impl Default for Beside {
+    fn default() -> Self {
+        Self { arrays: RESULTS, about: Vec::new(), attributes: Vec::new(), files: Vec::new() }
+    }
+}
+
+/// Leaves `outcomes`, which are of no case, in a folder as [`run`] leaves a case.
 ///
 /// # Errors
 /// A folder that cannot be made, a file that cannot be written; then nothing is left behind.
-pub(super) fn leave(
-    name: &'static str,
-    outcome: Outcome,
+pub(crate) fn leave(
+    mut outcomes: Vec<(&'static str, Outcome)>,
     page: Page,
+    beside: Beside,
     options: &RunOptions,
 ) -> Result<Summary, RunError> {
     let out = check_output(&options.out, options.overwrite)?;
-    let mut outcomes = [(name, outcome)];
     let drawings = if options.pictures { draw(&mut outcomes) } else { Vec::new() };
-    name_answers(&mut outcomes[0].1);
-    let concerns = outcomes[0].1.concerns.clone();
-    let attributes: Vec<(String, Attribute)> = vec![
+    outcomes.iter_mut().for_each(|(_, outcome)| name_answers(outcome));
+    let concerns: Vec<Concern> = outcomes.iter().flat_map(|(_, outcome)| outcome.concerns.clone()).collect();
+    let mut attributes: Vec<(String, Attribute)> = vec![
         ("Conventions".into(), "CF-1.8".into()),
         ("title".into(), page.title.clone().into()),
         ("program".into(), "groundwave".into()),
         ("version".into(), env!("CARGO_PKG_VERSION").into()),
         ("concerns".into(), serde_json::json!(concerns).to_string().into()),
     ];
+    attributes.extend(beside.attributes);
     let staging = folder::stage(&out)?;
     let folder = staging.path();
-    write_arrays(attributes, &outcomes, &drawings, options.csv_maps, folder)?;
+    write_arrays((beside.arrays, attributes), &outcomes, &drawings, options.csv_maps, folder)?;
+    for (name, text) in &beside.files {
+        save(&folder.join(name), text.as_bytes())?;
+    }
     let mut root = serde_json::Map::new();
     root.insert("program".into(), "groundwave".into());
     root.insert("version".into(), env!("CARGO_PKG_VERSION").into());
@@ -251,12 +275,15 @@ pub(super) fn leave(
     root.insert("concerns".into(), serde_json::json!(concerns));
     json::write(&root.into(), &folder.join("summary.json"))?;
     let only_in_hdf5 = if options.csv_maps { Vec::new() } else { maps(&outcomes) };
-    let [(_, Outcome { answers, .. })] = outcomes;
+    let answers: Vec<(&'static str, Vec<Answer>)> =
+        outcomes.into_iter().map(|(name, outcome)| (name, outcome.answers)).collect();
+    let all = || answers.iter().flat_map(|(_, answers)| answers);
     let html = Report {
         title: page.title,
+        about: beside.about,
         version: env!("CARGO_PKG_VERSION").into(),
-        answers: answers::list(answers.iter()),
-        answer_tables: answers::tables(answers.iter()),
+        answers: answers::list(all()),
+        answer_tables: answers::tables(all()),
         figures: drawings.into_iter().map(|d| (d.title, d.caption, d.picture.svg)).collect(),
         tables: page.tables,
         case_text: page.input,
@@ -267,7 +294,7 @@ pub(super) fn leave(
     save(&folder.join("report.html"), html.html().as_bytes())?;
     let files = folder::sign(folder)?;
     folder::install(staging, &out)?;
-    Ok(Summary { answers: vec![(name, answers)], verification: None, concerns, only_in_hdf5, files })
+    Ok(Summary { answers, verification: None, concerns, only_in_hdf5, files })
 }
 
 /// The answers of each study, and their units, as `summary.json` has them.

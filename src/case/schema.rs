@@ -5,6 +5,7 @@
 use super::about::About;
 use super::assessment::{AssessmentInput, TransferInput};
 use super::roughness_table::RoughnessTable;
+use super::study_table::StudyInput;
 use super::values::{Named, Range, SpanInput};
 use crate::assessment::{Guide, Reference};
 use crate::field::Quantity;
@@ -66,6 +67,8 @@ pub struct CaseInput {
     pub equivalent_stiffness: Option<EquivalentStiffnessInput>,
     /// Table of G(k, ω).
     pub surface_compliance: Option<SurfaceComplianceInput>,
+    /// What is uncertain: samples of the case, run by `groundwave study`.
+    pub study: Option<StudyInput>,
 }
 
 /// `[soil]`

@@ -21,6 +21,10 @@ pub enum Command {
     Assess(AssessArguments),
     /// Compare two cases, or the folders of two runs: insertion loss, every answer, every curve
     Compare(CompareArguments),
+    /// Run the samples of an uncertain case ([study]), or what is left of them; gathered when all are there
+    Study(StudyArguments),
+    /// Gather the samples of a study that ran in shards: quantiles, probabilities, sensitivities, report
+    Gather(GatherArguments),
     /// Check a case without running it
     Check {
         /// Case file (TOML)
@@ -67,6 +71,45 @@ pub struct RunArguments {
     /// Replace an existing output folder
     #[arg(long)]
     pub overwrite: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct StudyArguments {
+    /// Case file (TOML) with [study]
+    pub case: PathBuf,
+    /// Folder of the study; one that holds it already is gone on with [default: results/<name of the case>_study]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Only part i of n, for as many machines
+    #[arg(long, value_name = "i/n", value_parser = shard)]
+    pub shard: Option<(usize, usize)>,
+    /// Threads to use [default: all]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+    /// Draw no pictures
+    #[arg(long)]
+    pub no_pictures: bool,
+    /// Concerns about the result are failures: the results are written, the exit code is 1
+    #[arg(long)]
+    pub strict: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct GatherArguments {
+    /// Folder of the study
+    pub dir: PathBuf,
+    /// Draw no pictures
+    #[arg(long)]
+    pub no_pictures: bool,
+    /// Concerns about the result are failures: the results are written, the exit code is 1
+    #[arg(long)]
+    pub strict: bool,
+}
+
+/// "2/5"
+fn shard(text: &str) -> Result<(usize, usize), String> {
+    let numbers = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+    numbers.ok_or_else(|| "wanted i/n, such as 2/5".to_owned())
 }
 
 #[derive(Args, Debug)]

@@ -6,6 +6,7 @@ mod compare;
 mod list;
 mod progress;
 mod run;
+mod study;
 
 use clap::Parser;
 use std::process::ExitCode;
@@ -31,6 +32,8 @@ pub fn main(argv: impl Iterator<Item = std::ffi::OsString>) -> ExitCode {
         args::Command::Run(options) => run::run(&options),
         args::Command::Assess(options) => assess::assess(&options),
         args::Command::Compare(options) => compare::compare(&options),
+        args::Command::Study(options) => study::study(&options),
+        args::Command::Gather(options) => study::gather(&options),
         args::Command::Check { case } => run::check(&case),
         args::Command::List { what } => list::list(what),
         args::Command::Show { name } => list::show(&name),

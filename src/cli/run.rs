@@ -8,7 +8,8 @@ use groundwave::progress::Observer;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-fn load(path: &Path) -> Result<Case, u8> {
+/// The case at `path`, or its faults on the screen.
+pub fn load(path: &Path) -> Result<Case, u8> {
     Case::load(path).map_err(|error| {
         let faults = error.each();
         let count = faults.len();
@@ -25,6 +26,11 @@ pub fn check(path: &Path) -> u8 {
         Ok(case) => {
             let studies: Vec<&str> = case.studies.iter().map(|s| s.name()).collect();
             say(&format!("{}: {}; studies: {}", path.display(), case.title, studies.join(", ")));
+            if let Some(study) = &case.study {
+                let (samples, varied, steps) =
+                    (study.design.samples(), study.varied.len(), 2 * study.parameters.len());
+                say(&format!("[study]: {samples} samples of {varied} numbers, {steps} runs for derivatives"));
+            }
             for concern in &case.concerns {
                 say(&format!("Concern: {concern}"));
             }
@@ -54,25 +60,35 @@ pub fn ready(out: &Path, overwrite: bool) -> Result<(), u8> {
         eprintln!("error: {error}");
         BAD_INPUT
     })?;
-    let _ = ctrlc::set_handler(move || {
+    on_interrupt(move || {
         sweep(&whole);
         eprintln!("\ninterrupted: nothing written");
-        std::process::exit(130);
     });
     Ok(())
 }
 
+/// Cleans up by `last` and ends where the user interrupts.
+pub fn on_interrupt(last: impl Fn() + Send + 'static) {
+    let _ = ctrlc::set_handler(move || {
+        last();
+        std::process::exit(130);
+    });
+}
+
+/// Uses as many threads as asked for.
+pub fn use_threads(threads: Option<u16>) -> Result<(), u8> {
+    let Some(threads) = threads else { return Ok(()) };
+    rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global().map_err(|error| {
+        eprintln!("error: cannot start {threads} threads: {error}");
+        FAILED
+    })
+}
+
 pub fn run(arguments: &RunArguments) -> u8 {
-    let case = match load(&arguments.case) {
+    let case = match load(&arguments.case).and_then(|case| use_threads(arguments.threads).map(|()| case)) {
         Ok(case) => case,
         Err(code) => return code,
     };
-    if let Some(threads) = arguments.threads
-        && let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global()
-    {
-        eprintln!("error: cannot start {threads} threads: {error}");
-        return FAILED;
-    }
     let out = arguments.out.clone().unwrap_or_else(|| default_out(&arguments.case));
     if let Err(code) = ready(&out, arguments.overwrite) {
         return code;
@@ -88,7 +104,16 @@ pub fn run(arguments: &RunArguments) -> u8 {
     let result = run_case(&case, &options, &bar);
     bar.end();
     match result {
-        Ok(summary) => print(&case.title, &summary, (&out, started), arguments.strict),
+        Ok(summary) => {
+            let code = print(&case.title, &summary, (&out, started), arguments.strict);
+            if case.study.is_some() {
+                say(&format!(
+                    "This is the case as it stands; its [study] is run by: groundwave study {}",
+                    arguments.case.display()
+                ));
+            }
+            code
+        }
         Err(error @ RunError::Folder(_)) => {
             eprintln!("error: {error}");
             BAD_INPUT

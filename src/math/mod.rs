@@ -13,6 +13,7 @@ pub mod interpolation;
 pub(crate) mod lanes;
 pub mod many;
 pub mod maximum;
+pub mod normal;
 pub mod oscillating;
 pub mod polynomial;
 pub mod quadrature;

@@ -4,6 +4,7 @@
 //! nothing of soils or tracks. They write in place: the runner gathers all files in a folder that appears whole.
 
 mod axis;
+mod bars;
 mod canvas;
 mod colours;
 pub mod csv;

@@ -1,6 +1,6 @@
 //! Pictures of a figure, as SVG and as PNG, from one drawing.
 
-use super::{OutputError, lines, map, save, sketch};
+use super::{OutputError, bars, lines, map, save, sketch};
 use crate::figure::Figure;
 use std::path::Path;
 
@@ -22,6 +22,7 @@ impl Picture {
         let canvas = match figure {
             Figure::Lines(lines) => lines::draw(lines)?,
             Figure::Map(map) => map::draw(map)?,
+            Figure::Bars(bars) => bars::draw(bars)?,
             Figure::Sketch(sketch) => sketch::draw(sketch),
         };
         let png = canvas.png().map_err(|reason| OutputError::Figure {

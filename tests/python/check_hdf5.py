@@ -38,6 +38,8 @@ def read_tables(folder):
     for path in sorted(Path(folder).glob("*.csv")):
         comments, (header, *rows) = read_csv(path)
         described = dict(comments)
+        if "group" not in described:
+            continue  # a table of texts, not of arrays
         found = groups.setdefault(described["group"], {})
         if path.stem.endswith("_scalars"):
             for name, value, units, description in rows:
