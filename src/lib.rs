@@ -63,6 +63,7 @@ pub mod concern;
 pub mod contact;
 pub mod count;
 pub mod dataset;
+#[cfg(all(feature = "files", feature = "pictures"))]
 pub mod ensemble;
 pub mod field;
 pub mod figure;

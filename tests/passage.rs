@@ -4,6 +4,7 @@ mod common;
 
 use common::tracks::TRACK_IN_TIME as TRACK;
 use groundwave::case::{Case, CaseError};
+use groundwave::progress::Cancelled;
 use groundwave::study::StudyError;
 use groundwave::{Observer, Silent};
 use miette::Diagnostic;
@@ -215,7 +216,7 @@ impl Observer for Enough {
 fn it_can_be_cancelled() {
     let text = case(WHEEL, "");
     let case = Case::parse(&text, "case.toml", &|_| Err("there is no such file".to_owned())).unwrap();
-    assert_eq!(case.studies[0].run(&case.railway, &Enough).unwrap_err(), StudyError::Cancelled);
+    assert_eq!(case.studies[0].run(&case.railway, &Enough).unwrap_err(), StudyError::Cancelled(Cancelled));
 }
 
 /// What is too coarse, too long, too short or too deep is doubted, each once.

@@ -1,7 +1,7 @@
 //! Two cases, or the folders of two runs, against one another.
 
 use super::runner::{Beside, Page, RunError, RunOptions, Summary, leave};
-use super::{Case, CaseError};
+use super::{Case, CaseError, StudyFailed};
 use crate::output::{ReportTable, hdf5};
 use crate::progress::Observer;
 use crate::study::{Against, Left, Results, Told};
@@ -37,7 +37,7 @@ fn results(path: &Path, observer: &dyn Observer) -> Result<(Results, String), Co
     let mut studies = Vec::new();
     for study in &case.studies {
         let run = study.run(&case.railway, observer);
-        let outcome = run.map_err(|source| RunError::Study { study: study.name(), source })?;
+        let outcome = run.map_err(|source| RunError::from(StudyFailed { study: study.name(), source }))?;
         let answers = outcome.answers.iter().map(Told::from).collect();
         studies.push(Left { study: study.name().to_owned(), group: outcome.group, answers });
     }

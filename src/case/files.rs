@@ -1,6 +1,5 @@
 //! Files beside a case, and what keeps them from being read, in plain words.
 
-use crate::output::hdf5::read_text_attribute;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
@@ -31,8 +30,18 @@ pub fn text(path: &Path) -> Result<String, String> {
 ///
 /// # Errors
 /// No such file, or not one of this program.
+#[cfg(feature = "files")]
 pub fn stored(path: &Path) -> Result<(String, BTreeMap<String, String>), String> {
-    let read = |name: &str| read_text_attribute(path, name);
+    let read = |name: &str| crate::output::hdf5::read_text_attribute(path, name);
     let files = serde_json::from_str(&read("case_files")?).map_err(|e| e.to_string())?;
     Ok((read("case_text")?, files))
+}
+
+/// Nothing: HDF5 is not among the features.
+///
+/// # Errors
+/// Always.
+#[cfg(not(feature = "files"))]
+pub fn stored(_: &Path) -> Result<(String, BTreeMap<String, String>), String> {
+    Err("this build of groundwave reads no HDF5 (feature `files`)".to_owned())
 }

@@ -181,7 +181,7 @@ impl Loader<'_> {
     }
 
     /// The ground, its solver and the one to verify it with.
-    fn soil(&self, named: &Named<SoilInput>) -> Result<(Ground, Option<Solver>), CaseError> {
+    pub(super) fn soil(&self, named: &Named<SoilInput>) -> Result<(Ground, Option<Solver>), CaseError> {
         let mut soil = self.resolve(named, "soil", "soils")?;
         let solver_path = |prefix: &str| [prefix, "solver"].join(if prefix.is_empty() { "" } else { "." });
         let mut solvers = ground::solvers(soil.table.solver, &solver_path(&soil.prefix))

@@ -2,7 +2,7 @@
 
 use super::error::{CaseError, Finding};
 use super::values::Named;
-use super::{faults, library};
+use super::{faults, library, profile_csv};
 use serde::de::DeserializeOwned;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -127,13 +127,17 @@ impl<'a> Loader<'a> {
             }
             Named::Name(wanted) => wanted,
         };
-        let (name, text) = if wanted.ends_with(".toml") {
-            let text = self.file(wanted).map_err(|reason| {
+        let profile = kind == "soils" && wanted.ends_with(".csv");
+        let (name, text) = if profile || wanted.ends_with(".toml") {
+            let mut text = self.file(wanted).map_err(|reason| {
                 self.fault(
                     Finding::new(key, format!("cannot read \"{wanted}\": {reason}"))
                         .help("the path is relative to the case file"),
                 )
             })?;
+            if profile {
+                text = profile_csv::toml(&text).map_err(|finding| finding.at(wanted, &text))?;
+            }
             (wanted.clone(), self.table(kind, wanted, text))
         } else {
             match library::find(kind, wanted, key) {

@@ -1,5 +1,6 @@
 //! A measured history: read, assessed as a computed free field is, written as a run is.
 
+use super::StudyFailed;
 use super::runner::{Beside, Page, RunError, RunOptions, Summary, leave};
 use crate::study::{Assessment, MeasuredHistory, RecordError};
 use std::path::Path;
@@ -42,7 +43,7 @@ pub fn assess(path: &Path, assessment: Assessment, options: &RunOptions) -> Resu
         .map_err(|error| AssessError::File { path: name.clone(), reason: error.to_string() })?;
     let record = MeasuredHistory::parse(&text, assessment)
         .map_err(|source| AssessError::Record { path: name.clone(), source })?;
-    let outcome = record.run().map_err(|source| RunError::Study { study: "record", source })?;
+    let outcome = record.run().map_err(|source| RunError::from(StudyFailed { study: "record", source }))?;
     let file = path.file_name().map_or(name.clone(), |file| file.to_string_lossy().into_owned());
     let mut input: String = text.lines().take(SHOWN).map(|line| format!("{line}\n")).collect();
     if text.lines().count() > SHOWN {

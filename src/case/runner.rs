@@ -2,13 +2,14 @@
 
 use super::folder::{self, FolderError, check_output};
 use super::sketch::sketch;
+use super::solved::{Solved, StudyFailed, name_answers};
 use super::{Case, Verification, answers, report};
 use crate::concern::Concern;
 use crate::dataset::{Attribute, Dataset, Group};
 use crate::output::plot::Picture;
 use crate::output::{OutputError, Report, ReportTable, csv, hdf5, json, save};
 use crate::progress::Observer;
-use crate::study::{Answer, Outcome, StudyError};
+use crate::study::{Answer, Outcome};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
@@ -51,13 +52,8 @@ pub enum RunError {
     #[error(transparent)]
     Folder(#[from] FolderError),
     /// A study failed.
-    #[error("{study}: {source}")]
-    Study {
-        /// Which.
-        study: &'static str,
-        /// Why.
-        source: StudyError,
-    },
+    #[error(transparent)]
+    Study(#[from] StudyFailed),
     /// A file could not be written.
     #[error(transparent)]
     Output(#[from] OutputError),
@@ -68,30 +64,37 @@ pub enum RunError {
 /// # Errors
 /// A folder that cannot be made, a study that fails; then nothing is left behind. A figure that holds nothing to draw is a concern.
 pub fn run(case: &Case, options: &RunOptions, observer: &dyn Observer) -> Result<Summary, RunError> {
+    check_output(&options.out, options.overwrite)?;
+    keep(case, Solved::of(case, observer)?, options, observer)
+}
+
+/// Writes what [`run`] writes of a `case` that is `solved`.
+///
+/// # Errors
+/// A folder that cannot be made; then nothing is left behind.
+pub fn keep(
+    case: &Case,
+    solved: Solved,
+    options: &RunOptions,
+    observer: &dyn Observer,
+) -> Result<Summary, RunError> {
     let out = check_output(&options.out, options.overwrite)?;
-    let mut outcomes: Vec<(&'static str, Outcome)> = Vec::new();
-    for study in &case.studies {
-        let outcome = study
-            .run(&case.railway, observer)
-            .map_err(|source| RunError::Study { study: study.name(), source })?;
-        outcomes.push((study.name(), outcome));
-    }
-    let verification = Verification::run(case, &mut outcomes, observer);
+    let Solved { mut outcomes, verification } = solved;
     let drawings = if options.pictures {
         model(case).into_iter().chain(draw(&mut outcomes)).collect()
     } else {
         Vec::new()
     };
-    outcomes.iter_mut().for_each(|(_, outcome)| name_answers(outcome));
-    let found = outcomes.iter().flat_map(|(_, o)| o.concerns.clone());
-    let concerns: Vec<Concern> = case.concerns.iter().cloned().chain(found).collect();
+    let solved = Solved { outcomes, verification };
+    let concerns = solved.concerns(case);
     let staging = folder::stage(&out)?;
     observer.begin("writing", 1);
-    write(case, &outcomes, verification.as_ref(), &concerns, drawings, options.csv_maps, staging.path())?;
+    write(case, &solved, &concerns, drawings, options.csv_maps, staging.path())?;
     let files = folder::sign(staging.path())?;
     folder::install(staging, &out)?;
     observer.advance();
     observer.end();
+    let Solved { outcomes, verification } = solved;
     let only_in_hdf5 = if options.csv_maps { Vec::new() } else { maps(&outcomes) };
     let answers = outcomes.into_iter().map(|(name, o)| (name, o.answers)).collect();
     Ok(Summary { answers, verification, concerns, only_in_hdf5, files })
@@ -102,14 +105,6 @@ fn maps(outcomes: &[(&'static str, Outcome)]) -> Vec<String> {
     let of =
         |group: &Group| group.maps().map(|map| format!("{}/{}", group.name, map.name)).collect::<Vec<_>>();
     outcomes.iter().flat_map(|(_, outcome)| of(&outcome.group)).collect()
-}
-
-/// Answers among the attributes as `answer_<key>`: an attribute with the name of a dataset is taken for it, by xarray above all.
-fn name_answers(outcome: &mut Outcome) {
-    let Outcome { group, answers, .. } = outcome;
-    group.attributes.retain(|(name, _)| answers.iter().all(|answer| answer.key != *name));
-    let named = answers.iter().map(|answer| (format!("answer_{}", answer.key), answer.value.into()));
-    group.attributes.extend(named);
 }
 
 /// A picture with the name of its files, its title and its caption.
@@ -157,33 +152,15 @@ fn draw(outcomes: &mut [(&'static str, Outcome)]) -> Vec<Drawing> {
 
 fn write(
     case: &Case,
-    outcomes: &[(&'static str, Outcome)],
-    verification: Option<&Verification>,
+    solved: &Solved,
     concerns: &[Concern],
     drawings: Vec<Drawing>,
     csv_maps: bool,
     folder: &Path,
 ) -> Result<(), RunError> {
-    let mut attributes: Vec<(String, Attribute)> = vec![
-        ("Conventions".into(), "CF-1.8".into()),
-        ("title".into(), case.title.clone().into()),
-        ("program".into(), "groundwave".into()),
-        ("version".into(), env!("CARGO_PKG_VERSION").into()),
-        ("solver".into(), case.railway.solver_name().into()),
-        ("case_text".into(), case.text.clone().into()),
-        ("case_files".into(), serde_json::json!(case.files).to_string().into()),
-        ("concerns".into(), serde_json::json!(concerns).to_string().into()),
-        (
-            "axes".into(),
-            "x along the track, positive in the direction of travel; y across it; z down; displacements and loads positive down"
-                .into(),
-        ),
-    ];
-    if let Some(source) = &case.source {
-        attributes.push(("source".into(), source.clone().into()));
-    }
-    attributes.extend(verification.map(Verification::attributes).into_iter().flatten());
-    write_arrays((RESULTS, attributes), outcomes, &drawings, csv_maps, folder)?;
+    let Solved { outcomes, verification } = solved;
+    let verification = verification.as_ref();
+    write_arrays((RESULTS, solved.attributes(case, concerns)), outcomes, &drawings, csv_maps, folder)?;
     json::write(&summary(case, outcomes, verification, concerns), &folder.join("summary.json"))?;
     let figures = drawings.into_iter().map(|d| (d.title, d.caption, d.picture.svg)).collect();
     let html = report::report(case, outcomes, verification, concerns, figures).html();

@@ -39,6 +39,9 @@ impl Observer for Verifying<'_> {
     fn advance(&self) {
         self.0.advance();
     }
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
     fn end(&self) {
         self.0.end();
     }
@@ -95,7 +98,7 @@ impl Verification {
     }
 
     /// `verification` of `summary.json`: relative differences by study, dataset and answer.
-    pub(super) fn json(&self) -> Value {
+    pub fn json(&self) -> Value {
         let mut root = Map::new();
         root.insert("solver".into(), self.solver().into());
         if let Some(largest) = self.largest() {
@@ -117,7 +120,7 @@ impl Verification {
     }
 
     /// Root attributes of `results.h5`.
-    pub(super) fn attributes(&self) -> Vec<(String, Attribute)> {
+    pub fn attributes(&self) -> Vec<(String, Attribute)> {
         let mut all: Vec<(String, Attribute)> = vec![("verified_with".into(), self.solver().into())];
         all.extend(self.largest().map(|d| ("verification_largest_difference".into(), d.into())));
         all.extend(
@@ -127,7 +130,7 @@ impl Verification {
     }
 
     /// The table of the report.
-    pub(super) fn table(&self) -> ReportTable {
+    pub fn table(&self) -> ReportTable {
         let row = |study: &str, name: String, d: &Difference| {
             let unit = if d.unit == "1" { String::new() } else { format!(" {}", d.unit) };
             let number = |x: f64| if x == 0.0 { "0".to_owned() } else { format!("{x:.1e}") };

@@ -95,7 +95,7 @@ impl<'a> ContactForces<'a> {
             .par_iter()
             .map(|&place| {
                 let (alpha, worst) = self.wheels.rail_at(&self.distances, place.exp() * self.wheels.speed)?;
-                observer.advance();
+                observer.done()?;
                 Ok(Entry { place, alpha, worst })
             })
             .collect();

@@ -64,10 +64,7 @@ pub fn gather(out: &Path, pictures: bool, observer: &dyn Observer) -> Result<(Ca
     files.push(lines("derivatives.csv", "key,unit,in the case,logarithmic derivative", derived));
     let ranked = correlations.iter().map(|(key, r)| format!("{key},{r}"));
     files.push(lines("rank_correlations.csv", "key,Spearman", ranked));
-    let curves = curve_groups(&case, &table).into_iter();
-    let outcomes = std::iter::once(("study", outcome))
-        .chain(curves.map(|(name, group)| (name, Outcome { group, ..Outcome::default() })))
-        .collect();
+    let outcomes = with_curves(outcome, &case, &table);
     let page = Page {
         title: format!("{}: what is uncertain", case.title),
         input: case.text.clone(),
@@ -94,6 +91,26 @@ pub fn gather(out: &Path, pictures: bool, observer: &dyn Observer) -> Result<(Ca
     let summary = leave(outcomes, page, beside, &options)?;
     sweep(out, true);
     Ok((case, summary))
+}
+
+/// What is known of the samples, then their curves, study by study.
+fn with_curves(samples: Outcome, case: &Case, table: &Table) -> Vec<(&'static str, Outcome)> {
+    let curves = curve_groups(case, table).into_iter();
+    std::iter::once(("study", samples))
+        .chain(curves.map(|(name, group)| (name, Outcome { group, ..Outcome::default() })))
+        .collect()
+}
+
+/// What [`gather`] writes of the study in the folder `out`, as arrays, answers and concerns; what ended processes have left half-written
+/// is removed.
+///
+/// # Errors
+/// As [`table`].
+pub fn outcomes(out: &Path, observer: &dyn Observer) -> Result<Vec<(&'static str, Outcome)>, EnsembleError> {
+    let (case, table) = table(out, observer)?;
+    let study = case.study.as_ref().ok_or(EnsembleError::NoStudy)?;
+    sweep(out, true);
+    Ok(with_curves(shown(&case, study, &table).outcome, &case, &table))
 }
 
 /// A file of comma-separated lines.

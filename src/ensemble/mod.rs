@@ -27,7 +27,7 @@ mod worst;
 pub use chunk::Chunk;
 pub use derivative::{Derivative, derivatives};
 pub use error::EnsembleError;
-pub use gather::{gather, table};
+pub use gather::{gather, outcomes, table};
 pub use place::sweep;
 pub use row::{Described, Row};
 pub use rows::{CHUNK, Kind, Rows, STEP};

@@ -2,7 +2,7 @@
 
 use crate::case::Case;
 use crate::progress::Observer;
-use crate::study::{Outcome, StudyError};
+use crate::study::Outcome;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -99,7 +99,7 @@ impl Row {
                     row.take(study.name(), &outcome, described);
                     continue;
                 }
-                Ok(Err(StudyError::Cancelled)) => return None,
+                Ok(Err(error)) if error.is_cancelled() => return None,
                 Ok(Err(error)) => error.to_string(),
                 Err(_) => "a fault of the program: please report it with the case of this sample".to_owned(),
             };

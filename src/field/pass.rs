@@ -2,8 +2,10 @@
 
 use super::{Section, Sections};
 use crate::assessment::Band;
+use crate::foundation::FoundationError;
 use crate::progress::Observer;
-use crate::soil::{GroundSolver, Profile, SoilError, Solver, Strip};
+use crate::rail::InteractionError;
+use crate::soil::{GroundSolver, Profile, Solver, Strip};
 use crate::track::Stack;
 use crate::vehicle::Train;
 use num_complex::Complex64;
@@ -62,7 +64,7 @@ impl Pass<'_> {
     /// Accuracy: as [`Sections::new`].
     ///
     /// # Errors
-    /// A ground that cannot answer.
+    /// A ground that cannot answer; told to stop.
     pub fn sections(
         &self,
         stack: &Stack,
@@ -70,14 +72,16 @@ impl Pass<'_> {
         strip: Strip,
         period: f64,
         observer: &dyn Observer,
-    ) -> Result<Sections, SoilError> {
+    ) -> Result<Sections, InteractionError> {
         let lowest = self.bands.iter().map(|b| b.lower()).fold(1.0 / period, f64::min);
-        let section = |omega: f64| {
-            let exact = solver.prepare(profile, omega, &[])?;
+        let section = |omega: f64| -> Result<_, InteractionError> {
+            let exact = solver.prepare(profile, omega, &[]).map_err(FoundationError::from)?;
             if let Some(section) = Section::lifted(stack, exact.as_ref(), strip, omega, self.receivers) {
                 return Ok(section);
             }
-            let ground = otherwise.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
+            let ground = otherwise
+                .prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)
+                .map_err(FoundationError::from)?;
             Ok(Section::new(stack, ground.as_ref(), strip, omega, self.receivers))
         };
         let (range, slowest) = ((TAU * lowest, TAU * self.highest()), profile.slowest_rayleigh_speed());

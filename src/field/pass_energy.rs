@@ -14,7 +14,7 @@ use super::pass_history::Times;
 use super::{ConstantLoad, Sections};
 use crate::assessment::{AssessmentError, rms};
 use crate::irregularity::Spectrum;
-use crate::progress::Observer;
+use crate::progress::{Cancelled, Observer};
 use crate::signal::{EnergySpectrum, History};
 use crate::soil::Profile;
 use crate::vehicle::Axle;
@@ -124,13 +124,16 @@ impl PassEnergy {
     /// each.
     ///
     /// Accuracy: 1 % of each band (test `cross_solver::free_field`).
+    ///
+    /// # Errors
+    /// Told to stop.
     pub fn add_expected(
         &mut self,
         pass: &Pass,
         sections: &Sections,
         waves: &[DrivingWave],
         observer: &dyn Observer,
-    ) {
+    ) -> Result<(), Cancelled> {
         let count = pass.bands.len() * PER_BAND;
         observer.begin("bands", count as u64);
         let cells: Vec<Vec<f64>> = (0..count)
@@ -156,10 +159,10 @@ impl PassEnergy {
                         *slot += 2.0 * omega * omega * width * wave.weight * squares;
                     }
                 }
-                observer.advance();
-                energy
+                observer.done()?;
+                Ok(energy)
             })
-            .collect();
+            .collect::<Result<_, _>>()?;
         observer.end();
         for (i, energy) in cells.iter().enumerate() {
             for (r, e) in energy.iter().enumerate() {
@@ -168,6 +171,7 @@ impl PassEnergy {
         }
         // without a phase between them, the parts add in the mean
         self.total = &self.quasi_static + &self.dynamic;
+        Ok(())
     }
 
     /// Sets the energy of one profile from histories [m/s], receivers × times: its own without the quasi-static part, and all of it.

@@ -13,7 +13,7 @@ use super::{Sections, Tables};
 use crate::irregularity::{Component, Realisation};
 use crate::math::complex::I;
 use crate::math::fourier::{fast_size, from_half_spectrum};
-use crate::progress::Observer;
+use crate::progress::{Cancelled, Observer};
 use crate::rail::{InteractionError, TrackOnFoundation};
 use crate::soil::{Profile, Solver, Strip};
 use ndarray::Array2;
@@ -90,9 +90,10 @@ impl Pass<'_> {
             .par_iter()
             .map(|&y| {
                 let one = spectrum.passage(ground, strip, y, reach)?;
-                let all = one.of_train(self.train.axles());
-                observer.advance();
-                Ok((all.velocities(times.first, times.step, times.count), one.worst))
+                let velocities =
+                    one.of_train(self.train.axles()).velocities(times.first, times.step, times.count);
+                observer.done()?;
+                Ok((velocities, one.worst))
             })
             .collect::<Result<_, InteractionError>>()?;
         observer.end();
@@ -109,6 +110,9 @@ impl Pass<'_> {
     /// as it is 150 m away.
     ///
     /// Accuracy: 1.4e-2 of the largest value at the worst instant (test `cross_solver::free_field`).
+    ///
+    /// # Errors
+    /// Told to stop.
     pub fn dynamic(
         &self,
         sections: &Sections,
@@ -116,8 +120,8 @@ impl Pass<'_> {
         forces: &(dyn Fn(f64) -> Vec<Complex64> + Sync),
         times: Times,
         observer: &dyn Observer,
-    ) -> Vec<Array2<f64>> {
-        let Some(first) = profiles.first() else { return Vec::new() };
+    ) -> Result<Vec<Array2<f64>>, Cancelled> {
+        let Some(first) = profiles.first() else { return Ok(Vec::new()) };
         let wheels: Vec<(f64, Vec<Complex64>)> =
             first.components().par_iter().map(|c| (c.wavenumber, forces(c.wavenumber))).collect();
         // ½ a e^{iθ}/v
@@ -132,27 +136,27 @@ impl Pass<'_> {
             .into_par_iter()
             .map(|m| {
                 if m == 0 {
-                    return Array2::zeros(shape);
+                    return Ok(Array2::zeros(shape));
                 }
                 let omega = TAU * m as f64 / times.period();
                 let u = self.spectrum(&sections.at(omega).tables(), omega, &wheels, &waves, profiles.len());
-                observer.advance();
+                observer.done()?;
                 // e^{iωt} of the first sample
-                u * (I * omega * Complex64::cis(omega * times.first))
+                Ok(u * (I * omega * Complex64::cis(omega * times.first)))
             })
-            .collect();
+            .collect::<Result<_, _>>()?;
         observer.end();
         let history = |i: usize, r: usize| {
             let spectrum: Vec<Complex64> = spectra.iter().map(|v| v[(i, r)]).collect();
             from_half_spectrum(&spectrum, times.step, times.count)
         };
-        (0..shape.0)
+        Ok((0..shape.0)
             .into_par_iter()
             .map(|i| {
                 let rows: Vec<Vec<f64>> = (0..shape.1).map(|r| history(i, r)).collect();
                 Array2::from_shape_fn((shape.1, times.count), |(r, t)| rows[r][t])
             })
-            .collect()
+            .collect())
     }
 
     /// û_dyn at one ω = `omega`, profiles × receivers: `ground` there, Ω and p of all `wheels`, ½ a e^{iθ}/v of every one of the `waves` in

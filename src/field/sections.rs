@@ -5,7 +5,7 @@ use super::section::cut_off;
 use crate::math::interpolation::{Interpolant, lagrange_within};
 use crate::math::lanes::{LANES, sin_cos};
 use crate::math::quadrature::miss;
-use crate::progress::Observer;
+use crate::progress::{Cancelled, Observer};
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f64x8};
 use num_complex::Complex64;
@@ -71,8 +71,8 @@ impl Sections {
     /// `cross_solver::free_field::between_sections`).
     ///
     /// # Errors
-    /// The first one of `section`.
-    pub fn new<E: Send>(
+    /// The first one of `section`; told to stop.
+    pub fn new<E: From<Cancelled> + Send>(
         range: (f64, f64),
         receivers: &[f64],
         slowness: f64,
@@ -88,7 +88,11 @@ impl Sections {
         }
         let make = |omega: &[f64]| -> Result<Vec<Section>, E> {
             observer.begin("ground", omega.len() as u64);
-            let one = |w: &f64| section(*w).inspect(|_| observer.advance());
+            let one = |w: &f64| {
+                let section = section(*w)?;
+                observer.done()?;
+                Ok(section)
+            };
             let sections = omega.par_iter().map(one).collect();
             observer.end();
             sections

@@ -18,6 +18,7 @@ pub enum OutputError {
         source: std::io::Error,
     },
     /// The HDF5 library refused an object.
+    #[cfg(feature = "files")]
     #[error(
         "cannot write {object} into {}: {source}; names must be unique within their group and free of '/'",
         path.display()

@@ -3,26 +3,43 @@
 //! Exporters take a [`Dataset`](crate::dataset::Dataset), a [`Figure`](crate::figure::Figure) or plain values and know
 //! nothing of soils or tracks. They write in place: the runner gathers all files in a folder that appears whole.
 
+#[cfg(feature = "pictures")]
 mod axis;
+#[cfg(feature = "pictures")]
 mod bars;
+#[cfg(feature = "pictures")]
 mod canvas;
+#[cfg(feature = "pictures")]
 mod colours;
 pub mod csv;
+#[cfg(feature = "pictures")]
 mod curves;
 mod error;
+#[cfg(feature = "files")]
 pub mod hdf5;
 pub mod json;
+#[cfg(feature = "pictures")]
 mod lettering;
+#[cfg(feature = "pictures")]
 mod levels;
+#[cfg(feature = "pictures")]
 mod lines;
+#[cfg(feature = "pictures")]
 mod map;
+#[cfg(feature = "pictures")]
 mod markers;
+#[cfg(feature = "pictures")]
 mod overlay;
+#[cfg(feature = "pictures")]
 mod page;
+#[cfg(feature = "pictures")]
 mod pixels;
+#[cfg(feature = "pictures")]
 pub mod plot;
+#[cfg(feature = "pictures")]
 mod raster;
 pub mod report;
+#[cfg(feature = "pictures")]
 mod sketch;
 
 pub use error::OutputError;

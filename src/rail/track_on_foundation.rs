@@ -31,6 +31,9 @@ pub enum InteractionError {
     /// The foundation cannot answer.
     #[error(transparent)]
     Foundation(#[from] FoundationError),
+    /// Told to stop.
+    #[error(transparent)]
+    Cancelled(#[from] crate::progress::Cancelled),
     /// A real pole or a response without end.
     #[error(
         "the response at {speed:.2} m/s did not settle (error {error:.1e} of the deflection): waves without damping run \

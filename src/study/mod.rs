@@ -48,7 +48,7 @@ use crate::dataset::Group;
 use crate::field::GroundFieldError;
 use crate::figure::{Figure, Series, Stroke};
 use crate::foundation::FoundationError;
-use crate::progress::Observer;
+use crate::progress::{Cancelled, Observer};
 use crate::rail::fem::FemError;
 use crate::rail::{InteractionError, Method, RailError};
 use crate::railway::{Ground, Railway, RailwayError};
@@ -423,8 +423,8 @@ pub enum StudyError {
         to: f64,
     },
     /// Told to stop.
-    #[error("cancelled")]
-    Cancelled,
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// The grid does not fit into memory.
     #[error(
         "the {what} grid of {columns} × {rows} samples needs {needed_gb:.1} GB and the machine has {available_gb:.1} GB free: \
@@ -442,6 +442,13 @@ pub enum StudyError {
         /// [GB]
         available_gb: f64,
     },
+}
+
+impl StudyError {
+    /// Whether it only says that the study was told to stop.
+    pub fn is_cancelled(&self) -> bool {
+        matches!(self, Self::Cancelled(_) | Self::Interaction(InteractionError::Cancelled(_)))
+    }
 }
 
 /// A number for a legend: at most four decimals, no trailing zeros.

@@ -17,7 +17,7 @@ use groundwave::field::{Section, Sections};
 use groundwave::foundation::LayeredSoil;
 use groundwave::irregularity::{Component, German, Realisation, Spectrum};
 use groundwave::progress::Silent;
-use groundwave::rail::TrackOnFoundation;
+use groundwave::rail::{InteractionError, TrackOnFoundation};
 use groundwave::railway::{Contact, Ground, Railway, Support};
 use groundwave::soil::{DirectStiffness, GroundSolver, PreparedGround, Profile, Solver, ThinLayer};
 use groundwave::study::{Carrier, FreeField, Irregularity, Roughness};
@@ -675,7 +675,7 @@ fn histories_of_many_profiles() {
 fn between_sections() {
     let (stack, profile) = (tracks::ballasted(), named("paper_layered"));
     let receivers = [5.0, 20.0];
-    let section = |omega: f64| -> Result<Section, ()> {
+    let section = |omega: f64| -> Result<Section, InteractionError> {
         let ground = DirectStiffness.prepare(&profile, omega, &[]).unwrap();
         Ok(Section::new(&stack, ground.as_ref(), STRIP, omega, &receivers))
     };

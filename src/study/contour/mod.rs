@@ -59,8 +59,7 @@ pub(super) fn check_memory(
     (columns, rows): (usize, usize),
     needed: u64,
 ) -> Result<(), StudyError> {
-    let available = memory::available();
-    if needed > available {
+    if let Some(available) = memory::available().filter(|available| needed > *available) {
         let [needed_gb, available_gb] = [needed, available].map(|bytes| bytes as f64 / 1e9);
         return Err(StudyError::Memory { what, columns, rows, needed_gb, available_gb });
     }
@@ -108,11 +107,11 @@ impl Contour {
             .speeds
             .iter()
             .map(|&speed| {
-                let field = self.field(railway, speed);
-                observer.advance();
-                field
+                let field = self.field(railway, speed)?;
+                observer.done()?;
+                Ok(field)
             })
-            .collect::<Result<Vec<_>, _>>()?;
+            .collect::<Result<Vec<_>, StudyError>>()?;
         observer.end();
         let missed =
             self.speeds.iter().zip(&fields).map(|(v, field)| (*v, field.1)).filter(|(_, worst)| *worst > 1.0);

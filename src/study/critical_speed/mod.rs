@@ -71,7 +71,7 @@ impl CriticalSpeed {
         // begun with what the speed before it has learnt
         let at = |speed: f64, before: &mut Option<RailLoad>| -> Result<Row, StudyError> {
             let response = track.rail_near(speed, reach(train), before.as_ref())?;
-            observer.advance();
+            observer.done()?;
             let extremes = loads.iter().map(|load| Extremes::under(load, &response)).collect();
             let worst = response.worst;
             *before = Some(response);

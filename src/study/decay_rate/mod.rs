@@ -79,7 +79,7 @@ impl DecayRate {
                 Definition::ExactReceptance => decay_rate::exact(rail.as_ref(), spacing, from, omega)?,
                 Definition::En15461 => decay_rate::en15461(rail.as_ref(), spacing, from, omega)?,
             };
-            observer.advance();
+            observer.done()?;
             Ok(rate)
         };
         let decay = self.frequencies.par_iter().map(rate).collect::<Result<_, _>>()?;

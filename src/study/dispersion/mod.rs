@@ -107,13 +107,13 @@ impl Dispersion {
     /// digits printed (test `papers::mezher`). Ellipticity 1e-7 (test `analytic::dispersion`).
     ///
     /// # Errors
-    /// Depths outside the ground.
+    /// Depths outside the ground; told to stop.
     pub fn solve(
         &self,
         profile: &Profile,
         stack: Option<&Stack>,
         observer: &dyn Observer,
-    ) -> Result<DispersionCurves, SoilError> {
+    ) -> Result<DispersionCurves, StudyError> {
         // a track moves the ground vertically: it has no part in waves across
         let stack = stack.filter(|_| self.wave == SurfaceWave::Rayleigh);
         let elastic = profile.with_loss_times(0.0);
@@ -133,10 +133,10 @@ impl Dispersion {
                 };
                 let track = stack.and_then(|stack| track_speed(stack, omega));
                 let lead = stack.map_or(f64::NAN, |stack| lead(stack, &elastic, omega));
-                observer.advance();
+                observer.done()?;
                 Ok((ground, turning, track, lead))
             })
-            .collect::<Result<_, SoilError>>()?;
+            .collect::<Result<_, StudyError>>()?;
         let leads: Vec<f64> = found.iter().map(|f| f.3).collect();
         let crossing = stack.and_then(|stack| self.crossing(stack, &elastic, &leads));
         let shapes = self.shapes.as_ref().map(|at| self.shapes(&elastic, at)).transpose()?;

@@ -49,11 +49,11 @@ impl EquivalentStiffness {
         let values = (0..shape.0 * shape.1)
             .into_par_iter()
             .map(|n| {
-                let stiffness = foundation.stiffness(self.beta[n % shape.1], omega[n / shape.1]);
-                observer.advance();
-                stiffness
+                let stiffness = foundation.stiffness(self.beta[n % shape.1], omega[n / shape.1])?;
+                observer.done()?;
+                Ok(stiffness)
             })
-            .collect::<Result<Vec<_>, _>>()?;
+            .collect::<Result<Vec<_>, StudyError>>()?;
         observer.end();
         let k_eq = Array2::from_shape_fn(shape, |(i, j)| values[i * shape.1 + j]);
         Ok(StiffnessTable { beta: self.beta.clone(), omega, k_eq })

@@ -286,7 +286,7 @@ impl Rough<'_> {
         let profiles = irregularity.profiles(pass, TAU / range.1, times.period())?;
         let Shaken { mut energies, histories: quasi_static, .. } = smooth;
         let histories: Vec<_> = pass
-            .dynamic(sections, &profiles, &at, times, observer)
+            .dynamic(sections, &profiles, &at, times, observer)?
             .into_iter()
             .map(|dynamic| dynamic + &quasi_static[0])
             .collect();
@@ -295,7 +295,7 @@ impl Rough<'_> {
             Irregularity::Random { spectrum, wavelengths, .. } => {
                 let wavelengths = (TAU / range.1, wavelengths.1);
                 let waves = pass.waves(spectrum, wavelengths, &at, COUPLED, self.profile);
-                energies.add_expected(pass, sections, &waves, observer);
+                energies.add_expected(pass, sections, &waves, observer)?;
                 let driven = waves
                     .iter()
                     .map(|w| Driven { frequency: frequency(w.wavenumber), force: w.force(speed) });

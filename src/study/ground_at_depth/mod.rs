@@ -129,7 +129,7 @@ impl GroundAtDepth {
                 missed.push((speed, worst));
             }
             fields.push(field);
-            observer.advance();
+            observer.done()?;
         }
         observer.end();
         Ok(GroundStates {

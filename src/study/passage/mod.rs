@@ -13,7 +13,7 @@ use super::{Outcome, StudyError};
 use crate::concern::Concern;
 use crate::contact::{Law, March, MarchError, Rolling, Start as Beginning};
 use crate::irregularity::{Defect, JenkinsWheel, LumpedTrack, Unevenness};
-use crate::progress::Observer;
+use crate::progress::{Cancelled, Observer};
 use crate::rail::fem::{Fault, FemError, Form, Mesh, Model, Scheme};
 use crate::railway::Railway;
 use crate::vehicle::{Axle, ContactSpring, Hertz, Multibody};
@@ -228,15 +228,15 @@ impl Passage {
         );
         let copies = rolls.wheels.as_ref().map_or(0, |(bodies, _)| bodies.copies());
         for step in 0..=plan.count {
+            if observer.cancelled() {
+                return Err(Cancelled.into());
+            }
             if step > 0 {
                 march.step()?;
             }
             recorder.take(&moment(&march, rolls.axles.len(), copies, rails));
             if (step * SIGNS) / plan.count != (step + 1) * SIGNS / plan.count {
                 observer.advance();
-                if observer.cancelled() {
-                    return Err(StudyError::Cancelled);
-                }
             }
         }
         recorder.finish(self.frequencies)

@@ -64,7 +64,7 @@ impl ReceptanceMap {
                 let omega = TAU * frequency;
                 let prepared = solver.prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)?;
                 let field = track.standing_field(omega, prepared.as_ref(), strip, (&x, &y))?;
-                observer.advance();
+                observer.done()?;
                 Ok(field)
             })
             .collect::<Result<Vec<StandingField>, StudyError>>()?;

@@ -114,7 +114,7 @@ impl Receptance {
                 let omega = TAU * frequency;
                 let answers = rail.at(&x, self.from, omega)?;
                 let (ground, ground_missed) = self.beside(railway, omega)?;
-                observer.advance();
+                observer.done()?;
                 Ok((answers.iter().map(|a| a.value).collect(), ground, missed(&answers).max(ground_missed)))
             })
             .collect::<Result<_, StudyError>>()?;

@@ -44,11 +44,11 @@ impl SurfaceComplianceTable {
             .frequencies
             .par_iter()
             .map(|f| {
-                let row = solver.prepare(profile, TAU * f, &[]).map(|ground| ground.batch(&self.k));
-                observer.advance();
-                row
+                let row = solver.prepare(profile, TAU * f, &[])?.batch(&self.k);
+                observer.done()?;
+                Ok(row)
             })
-            .collect::<Result<Vec<_>, _>>()?;
+            .collect::<Result<Vec<_>, StudyError>>()?;
         observer.end();
         Ok(Compliances { k: self.k.clone(), frequencies: self.frequencies.clone(), rows })
     }

@@ -121,7 +121,7 @@ impl TrackResponse {
             if !response.converged() {
                 shapes.missed.push((speed, response.worst));
             }
-            observer.advance();
+            observer.done()?;
         }
         if let Some(line) = self.line_speed {
             let at_rest = track.moving(0.0, train.length() + 1.0)?;

@@ -96,7 +96,7 @@ impl TrackResponse {
             let orders: Vec<i32> = (-ORDERS..=ORDERS).collect();
             let harmonics = comb.harmonics(drive, &orders)?;
             let spectra = self.spectra(&comb, drive, &at, train)?;
-            observer.advance();
+            observer.done()?;
             Ok((histories, harmonics, spectra))
         };
         let rows = self.speeds.par_iter().map(one).collect::<Result<Vec<_>, _>>()?;

@@ -6,9 +6,9 @@ use super::{Outcome, StudyError, Verified};
 use crate::math::decimal::arithmetic;
 use crate::progress::Observer;
 use crate::rail::periodic::Coupled;
-use crate::rail::{Answer, Method, RailError, Receptance};
+use crate::rail::{Answer, Method, Receptance};
 use crate::railway::{Railway, RailwayError};
-use crate::track::Layout;
+use crate::track::{Layout, Stack};
 use ndarray::Array2;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -70,11 +70,13 @@ impl Transition {
         let Layout::Varying(sections) = railway.layout() else { return Err(RailwayError::OneSection.into()) };
         let coupled = Coupled::new(sections, railway.foundation()?).map_err(RailwayError::from)?;
         let first = &sections[0].supports;
-        let lossless = !first.rail.loses() && first.under == first.under.undamped();
+        let keeps = |stack: &Stack| *stack == stack.undamped();
+        let lossless =
+            !first.rail.loses() && keeps(&first.under) && railway.springs().is_ok_and(|s| keeps(s.stack()));
         observer.begin("transition", (self.frequencies.len() + self.along.len()) as u64);
-        let powers = self.frequencies.par_iter().map(|frequency| -> Result<_, RailError> {
+        let powers = self.frequencies.par_iter().map(|frequency| -> Result<_, StudyError> {
             let wave = coupled.scattering(TAU * frequency, 0, true)?;
-            observer.advance();
+            observer.done()?;
             // without loss a wave that decays carries nothing, and rounding divided by rounding is no share
             let carries = !lossless || (wave.lambda.norm() - 1.0).abs() < 1e-9;
             let share = |powers: [f64; 2]| if carries { powers.iter().sum::<f64>() } else { f64::NAN };
@@ -84,9 +86,9 @@ impl Transition {
         let powers = powers.collect::<Result<Vec<_>, _>>()?;
         let (from, to) = self.x;
         let x = arithmetic(from, self.spacing, ((to - from) / self.spacing + 1e-9).floor() as usize + 1);
-        let receptances = self.along.par_iter().map(|frequency| -> Result<_, RailError> {
+        let receptances = self.along.par_iter().map(|frequency| -> Result<_, StudyError> {
             let answers = coupled.at(&x, self.from, TAU * frequency)?;
-            observer.advance();
+            observer.done()?;
             Ok(answers)
         });
         let receptances = receptances.collect::<Result<Vec<_>, _>>()?;
