@@ -84,7 +84,8 @@ impl Case {
         overwrite: bool,
     ) -> PyResult<Bound<'py, PyDict>> {
         let case = self.case.clone();
-        let options = out.map(|out| RunOptions { out, overwrite, pictures: true, csv_maps: false });
+        let options =
+            out.map(|out| RunOptions { out, overwrite, pictures: true, csv_maps: false, vti: false });
         let solved = pool::run(py, progress.as_ref(), error::of_run, move |observer| {
             let check = |options: &RunOptions| check_output(&options.out, overwrite).map(drop);
             options.as_ref().map_or(Ok(()), check)?;

@@ -4,6 +4,7 @@ use super::track_table::track_table;
 use super::verification::Verification;
 use super::{Case, answers};
 use crate::concern::Concern;
+use crate::output::plot::Picture;
 use crate::output::{Report, ReportTable};
 use crate::rail::DecayRate;
 use crate::railway::{Contact, Ground, Railway, Support};
@@ -296,7 +297,7 @@ pub fn report(
     outcomes: &[(&'static str, Outcome)],
     verification: Option<&Verification>,
     concerns: &[Concern],
-    figures: Vec<(String, String, String)>,
+    figures: Vec<(String, String, Picture)>,
 ) -> Report {
     Report {
         title: case.title.clone(),

@@ -7,7 +7,7 @@ use super::{Case, Verification, answers, report};
 use crate::concern::Concern;
 use crate::dataset::{Attribute, Dataset, Group};
 use crate::output::plot::Picture;
-use crate::output::{OutputError, Report, ReportTable, csv, hdf5, json, save};
+use crate::output::{OutputError, Report, ReportTable, csv, hdf5, json, save, vti};
 use crate::progress::Observer;
 use crate::study::{Answer, Outcome};
 use rayon::prelude::*;
@@ -28,6 +28,8 @@ pub struct RunOptions {
     pub pictures: bool,
     /// Write maps as CSV tables too, not to `results.h5` alone.
     pub csv_maps: bool,
+    /// Write fields over the ground as `.vti` too, for ParaView.
+    pub vti: bool,
 }
 
 /// What a run found.
@@ -89,7 +91,7 @@ pub fn keep(
     let concerns = solved.concerns(case);
     let staging = folder::stage(&out)?;
     observer.begin("writing", 1);
-    write(case, &solved, &concerns, drawings, options.csv_maps, staging.path())?;
+    write(case, &solved, &concerns, drawings, options, staging.path())?;
     let files = folder::sign(staging.path())?;
     folder::install(staging, &out)?;
     observer.advance();
@@ -107,9 +109,8 @@ fn maps(outcomes: &[(&'static str, Outcome)]) -> Vec<String> {
     outcomes.iter().flat_map(|(_, outcome)| of(&outcome.group)).collect()
 }
 
-/// A picture with the name of its files, its title and its caption.
+/// A picture with its title and its caption.
 struct Drawing {
-    name: String,
     title: String,
     caption: String,
     picture: Picture,
@@ -119,12 +120,11 @@ struct Drawing {
 fn model(case: &Case) -> Option<Drawing> {
     let (figure, caption) = sketch(&case.railway);
     let picture = Picture::of(&figure).ok()?;
-    Some(Drawing { name: figure.name().to_owned(), title: figure.title().to_owned(), caption, picture })
+    Some(Drawing { title: figure.title().to_owned(), caption, picture })
 }
 
 /// Every figure, drawn once for its files and the report; one that cannot be drawn is a concern of its study.
 fn draw(outcomes: &mut [(&'static str, Outcome)]) -> Vec<Drawing> {
-    // drawing a PNG takes longer than computing it
     let drawn: Vec<Vec<Result<Picture, OutputError>>> = outcomes
         .par_iter()
         .map(|(_, outcome)| outcome.figures.par_iter().map(|(figure, _)| Picture::of(figure)).collect())
@@ -134,7 +134,6 @@ fn draw(outcomes: &mut [(&'static str, Outcome)]) -> Vec<Drawing> {
         for ((figure, caption), picture) in outcome.figures.iter().zip(drawn) {
             match picture {
                 Ok(picture) => drawings.push(Drawing {
-                    name: figure.name().to_owned(),
                     title: figure.title().to_owned(),
                     caption: caption.clone(),
                     picture,
@@ -155,35 +154,36 @@ fn write(
     solved: &Solved,
     concerns: &[Concern],
     drawings: Vec<Drawing>,
-    csv_maps: bool,
+    options: &RunOptions,
     folder: &Path,
 ) -> Result<(), RunError> {
     let Solved { outcomes, verification } = solved;
     let verification = verification.as_ref();
-    write_arrays((RESULTS, solved.attributes(case, concerns)), outcomes, &drawings, csv_maps, folder)?;
+    write_arrays((RESULTS, solved.attributes(case, concerns)), outcomes, &drawings, options, folder)?;
     json::write(&summary(case, outcomes, verification, concerns), &folder.join("summary.json"))?;
-    let figures = drawings.into_iter().map(|d| (d.title, d.caption, d.picture.svg)).collect();
+    let figures = drawings.into_iter().map(|d| (d.title, d.caption, d.picture)).collect();
     let html = report::report(case, outcomes, verification, concerns, figures).html();
     Ok(save(&folder.join("report.html"), html.as_bytes())?)
 }
 
-/// All arrays in the file `name` with `attributes`, a table of each group, the pictures.
+/// All arrays in the file `name` with `attributes`, a table of each group, fields for ParaView, the pictures.
 fn write_arrays(
     (name, attributes): (&str, Vec<(String, Attribute)>),
     outcomes: &[(&'static str, Outcome)],
     drawings: &[Drawing],
-    csv_maps: bool,
+    options: &RunOptions,
     folder: &Path,
 ) -> Result<(), RunError> {
     let groups = outcomes.iter().map(|(_, o)| o.group.clone()).collect();
     hdf5::write(&Dataset { attributes, groups }, &folder.join(name))?;
     for (_, outcome) in outcomes {
-        csv::write(&outcome.group, folder, csv_maps)?;
+        csv::write(&outcome.group, folder, options.csv_maps)?;
+        if options.vti {
+            vti::write(&outcome.group, folder)?;
+        }
     }
-    for drawing in drawings {
-        drawing.picture.write(&drawing.name, folder)?;
-    }
-    Ok(())
+    // drawing a PNG takes longer than most answers
+    Ok(drawings.par_iter().try_for_each(|drawing| drawing.picture.write(folder))?)
 }
 
 /// What stands in the report of something that is no case: a record, a comparison, a study.
@@ -240,7 +240,7 @@ pub(crate) fn leave(
     attributes.extend(beside.attributes);
     let staging = folder::stage(&out)?;
     let folder = staging.path();
-    write_arrays((beside.arrays, attributes), &outcomes, &drawings, options.csv_maps, folder)?;
+    write_arrays((beside.arrays, attributes), &outcomes, &drawings, options, folder)?;
     for (name, text) in &beside.files {
         save(&folder.join(name), text.as_bytes())?;
     }
@@ -261,7 +261,7 @@ pub(crate) fn leave(
         version: env!("CARGO_PKG_VERSION").into(),
         answers: answers::list(all()),
         answer_tables: answers::tables(all()),
-        figures: drawings.into_iter().map(|d| (d.title, d.caption, d.picture.svg)).collect(),
+        figures: drawings.into_iter().map(|d| (d.title, d.caption, d.picture)).collect(),
         tables: page.tables,
         case_text: page.input,
         assumptions: page.assumptions,

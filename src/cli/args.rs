@@ -68,6 +68,9 @@ pub struct RunArguments {
     /// Write maps (ground contours, receptances around a load) as CSV tables too; they stand in results.h5 all the same
     #[arg(long)]
     pub csv_maps: bool,
+    /// Write fields over the ground (contours, fields at depth, receptances around a load) as .vti files too, for ParaView
+    #[arg(long)]
+    pub vti: bool,
     /// Replace an existing output folder
     #[arg(long)]
     pub overwrite: bool,

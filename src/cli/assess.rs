@@ -35,6 +35,7 @@ pub fn assess(arguments: &AssessArguments) -> u8 {
         overwrite: arguments.overwrite,
         pictures: !arguments.no_pictures,
         csv_maps: false,
+        vti: false,
     };
     match groundwave::case::assess(&arguments.record, assessment(arguments), &options) {
         Ok(summary) => {

@@ -27,6 +27,7 @@ pub fn compare(arguments: &CompareArguments) -> u8 {
         overwrite: arguments.overwrite,
         pictures: !arguments.no_pictures,
         csv_maps: false,
+        vti: false,
     };
     let bar = Bar::new();
     let result = groundwave::case::compare(&arguments.first, &arguments.second, &options, &bar);

@@ -100,6 +100,7 @@ pub fn run(arguments: &RunArguments) -> u8 {
         overwrite: arguments.overwrite,
         pictures: !arguments.no_pictures,
         csv_maps: arguments.csv_maps,
+        vti: arguments.vti,
     };
     let result = run_case(&case, &options, &bar);
     bar.end();
@@ -149,7 +150,7 @@ pub fn print(title: &str, summary: &Summary, (out, started): (&Path, Instant), s
     }
     if !summary.only_in_hdf5.is_empty() {
         say(&format!(
-            "Maps in results.h5 alone: {}; as tables too with --csv-maps",
+            "Maps in results.h5 alone: {}; as tables too with --csv-maps, for ParaView with --vti",
             summary.only_in_hdf5.join(", ")
         ));
     }

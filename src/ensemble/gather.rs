@@ -86,8 +86,13 @@ pub fn gather(out: &Path, pictures: bool, observer: &dyn Observer) -> Result<(Ca
         ],
         files,
     };
-    let options =
-        RunOptions { out: Place::open(out)?.gathered(), overwrite: true, pictures, csv_maps: false };
+    let options = RunOptions {
+        out: Place::open(out)?.gathered(),
+        overwrite: true,
+        pictures,
+        csv_maps: false,
+        vti: false,
+    };
     let summary = leave(outcomes, page, beside, &options)?;
     sweep(out, true);
     Ok((case, summary))

@@ -38,6 +38,20 @@ impl Scale {
         Self { lo, hi, log, pixels }
     }
 
+    /// The values at both ends.
+    pub fn range(&self) -> (f64, f64) {
+        (self.lo, self.hi)
+    }
+
+    /// The pixels of both ends.
+    pub fn pixels(&self) -> (f64, f64) {
+        self.pixels
+    }
+
+    pub fn is_log(&self) -> bool {
+        self.log
+    }
+
     /// The pixel of `value`.
     pub fn at(&self, value: f64) -> f64 {
         let f = |v: f64| if self.log { v.log10() } else { v };

@@ -20,7 +20,8 @@ const CHUNK: usize = 65_536;
 /// Every [`Group`] becomes an HDF5 group and every variable a dataset of 64-bit floats with the attributes `units` and
 /// `long_name`. A coordinate is a dimension scale (`CLASS`, `NAME`) and is attached to each axis that bears its name
 /// (`DIMENSION_LIST`), so that `xarray.open_dataset(path, group = "critical_speed", engine = "h5netcdf")` finds the
-/// coordinates by itself. Where a variable has gaps, NaN stands there and is its `_FillValue`. The order of creation is
+/// coordinates by itself; x, y and z say their `axis`, z that it is `positive` down, as the CF conventions want. The file is a
+/// NetCDF-4 file. Where a variable has gaps, NaN stands there and is its `_FillValue`. The order of creation is
 /// tracked, without which netCDF4 does not open a file to append. Arrays above 64 kB are chunked, shuffled and deflated at level 1.
 ///
 /// # Errors
@@ -150,7 +151,19 @@ fn write_variable(place: &H5Group, variable: &Variable) -> Result<H5Dataset, Hdf
         stored.write_raw(&values)?;
     }
     let dimensions = variable.dims.join(" ");
-    let texts = [("units", &variable.units), ("long_name", &variable.long_name), ("dimensions", &dimensions)];
+    let mut texts = vec![
+        ("units", variable.units.as_str()),
+        ("long_name", &variable.long_name),
+        ("dimensions", &dimensions),
+    ];
+    if variable.is_coordinate() {
+        match variable.name.as_str() {
+            "x" => texts.push(("axis", "X")),
+            "y" => texts.push(("axis", "Y")),
+            "z" => texts.extend([("axis", "Z"), ("positive", "down")]),
+            _ => {}
+        }
+    }
     for (name, text) in texts {
         let attribute = stored.new_attr::<VarLenUnicode>().shape(()).create(name)?;
         attribute.write_string(text)?;

@@ -12,7 +12,7 @@ use crate::figure::LineFigure;
 const HEIGHT: f64 = 18.0;
 
 /// Where the label of each level stands: above the end of its line, below it where another one is in the way.
-fn places(frame: Area, y: Scale, figure: &LineFigure) -> Vec<Area> {
+pub(super) fn places(frame: Area, y: Scale, figure: &LineFigure) -> Vec<Area> {
     let mut lines: Vec<(usize, f64)> = levels(figure).map(|(value, _)| y.at(value)).enumerate().collect();
     lines.sort_by(|a, b| a.1.total_cmp(&b.1));
     let widths: Vec<f64> = levels(figure).map(|(_, label)| text_width(label, TICK) + 8.0).collect();
@@ -35,11 +35,15 @@ fn places(frame: Area, y: Scale, figure: &LineFigure) -> Vec<Area> {
 pub(super) fn draw(canvas: &mut Canvas, frame: Area, y: Scale, figure: &LineFigure) {
     for (value, _) in levels(figure) {
         let pen = Pen { dash: Some((7.0, 4.0)), ..Pen::solid(GREY, 1.6) };
-        canvas.line((frame.left, y.at(value)), (frame.right, y.at(value)), pen);
+        canvas.group("level", |canvas| {
+            canvas.line((frame.left, y.at(value)), (frame.right, y.at(value)), pen);
+        });
     }
     for ((_, label), area) in levels(figure).zip(places(frame, y, figure)) {
-        canvas.rectangle(area, Some([255; 3]), None);
-        canvas.text((area.right - 4.0, area.bottom - 4.0), label, TICK, Anchor::End);
+        canvas.group("level", |canvas| {
+            canvas.rectangle(area, Some([255; 3]), None);
+            canvas.text((area.right - 4.0, area.bottom - 4.0), label, TICK, Anchor::End);
+        });
     }
 }
 

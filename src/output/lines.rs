@@ -2,13 +2,15 @@
 
 use super::OutputError;
 use super::axis::Scale;
-use super::canvas::{Anchor, Canvas, Pen, TICK, label_room};
+use super::canvas::{Anchor, Canvas, Pen, TICK};
 use super::colours::{FEW, GREY, INK, Rgb, curve};
 use super::curves::{marks, ranges, runs, thin_out};
+use super::frame::label_room;
 use super::lettering::text_width;
 use super::levels;
 use super::markers;
 use super::page::{Area, Point};
+use super::readout;
 use crate::figure::{LineFigure, Stroke};
 
 /// Page width [px].
@@ -25,8 +27,9 @@ pub(super) const SAMPLE: f64 = 34.0;
 /// Dash and gap of a dashed line [px].
 pub(super) const DASH: Option<(f64, f64)> = Some((9.0, 5.0));
 
-/// Draws the figure; values that are not finite (or not positive on a logarithmic axis) are gaps in the curves.
-pub(super) fn draw(figure: &LineFigure) -> Result<Canvas, OutputError> {
+/// Draws the figure, and what it tells under the pointer; values that are not finite (or not positive on a logarithmic axis) are
+/// gaps in the curves.
+pub(super) fn draw(figure: &LineFigure) -> Result<(Canvas, String), OutputError> {
     let Some((x_range, y_range)) = ranges(figure) else {
         return Err(OutputError::Figure {
             figure: figure.name.clone(),
@@ -50,7 +53,8 @@ pub(super) fn draw(figure: &LineFigure) -> Result<Canvas, OutputError> {
         let (width, height) = (spots.legend.width(), spots.legend.height());
         spots.legend = Area { left, top, right: left + width, bottom: top + height };
     }
-    Ok(plan_taken.draw(figure, &spots))
+    let Plan { frame, x, y } = plan_taken;
+    Ok((plan_taken.draw(figure, &spots), readout::of_lines(figure, frame, x, y)))
 }
 
 /// Where everything lies.
@@ -95,32 +99,21 @@ impl Plan {
         let mut canvas = Canvas::new(WIDTH, (frame.bottom + BELOW).max(spots.legend.bottom + 4.0));
         let (x_ticks, y_ticks) = (self.x.ticks_or(&figure.x_ticks, 8), self.y.ticks(7));
         canvas.grid(frame, (self.x, &x_ticks), (self.y, &y_ticks));
-        let white = Some([255; 3]);
-        levels::draw(&mut canvas, frame, self.y, figure);
-        for (value, _) in marks(figure) {
-            let x = self.x.at(value);
-            let pen = Pen { dash: Some((2.5, 3.5)), ..Pen::solid(GREY, 1.6) };
-            canvas.line((x, frame.top), (x, frame.bottom), pen);
-        }
-        for (index, series) in figure.series.iter().enumerate() {
-            let colour = curve(index, figure.series.len());
-            let runs: Vec<Vec<Point>> = runs(series, figure)
-                .into_iter()
-                .map(|run| run.into_iter().map(|p| self.at(p)).collect())
-                .collect();
-            let marked = if is_marked(figure) { markers::places(&runs, index) } else { Vec::new() };
-            for points in runs {
-                numbered(&mut canvas, thin_out(points), series.stroke, (index, colour));
+        canvas.group("plot", |canvas| {
+            levels::draw(canvas, frame, self.y, figure);
+            for (value, _) in marks(figure) {
+                let x = self.x.at(value);
+                let pen = Pen { dash: Some((2.5, 3.5)), ..Pen::solid(GREY, 1.6) };
+                canvas.group("mark", |canvas| canvas.line((x, frame.top), (x, frame.bottom), pen));
             }
-            if series.stroke != Stroke::Points {
-                marked.into_iter().for_each(|place| markers::mark(&mut canvas, place, index, colour));
+            (0..figure.series.len()).for_each(|index| self.curve(canvas, figure, index));
+            for ((_, label), area) in marks(figure).zip(&spots.marks) {
+                canvas.group("mark", |canvas| {
+                    canvas.rectangle(*area, Some([255; 3]), None);
+                    canvas.text((area.left + 4.0, area.bottom - 5.0), label, TICK, Anchor::Start);
+                });
             }
-        }
-        for ((_, label), area) in marks(figure).zip(&spots.marks) {
-            canvas.rectangle(*area, white, None);
-            let start = (area.left + 4.0, area.bottom - 5.0);
-            canvas.text(start, label, TICK, Anchor::Start);
-        }
+        });
         canvas.rectangle(frame, None, Some(Pen::solid(INK, 1.2)));
         canvas.x_axis(frame, self.x, &x_ticks, &figure.x_label, false);
         canvas.y_axis(frame, self.y, &y_ticks, &figure.y_label, false);
@@ -130,23 +123,28 @@ impl Plan {
         }
         canvas.title(frame, &figure.title);
         if has_legend(figure) {
-            canvas.rectangle(spots.legend, white, None);
-            for (index, series) in figure.series.iter().enumerate() {
-                let y = spots.legend.top + 6.0 + ROW * (index as f64 + 0.5);
-                let left = spots.legend.left + 8.0;
-                let ends = match series.stroke {
-                    Stroke::Points => vec![(left + 0.5 * SAMPLE, y)],
-                    Stroke::Solid | Stroke::Dashed => vec![(left, y), (left + SAMPLE, y)],
-                };
-                let colour = curve(index, figure.series.len());
-                numbered(&mut canvas, ends, series.stroke, (index, colour));
-                if is_marked(figure) && index > 0 && series.stroke != Stroke::Points {
-                    markers::mark(&mut canvas, (left + 0.5 * SAMPLE, y), index, colour);
-                }
-                canvas.text((left + SAMPLE + 9.0, y + 5.0), &series.name, TICK, Anchor::Start);
-            }
+            legend(&mut canvas, figure, spots.legend);
         }
         canvas
+    }
+
+    /// Curve number `index`, with its marks where there are few.
+    fn curve(&self, canvas: &mut Canvas, figure: &LineFigure, index: usize) {
+        let series = &figure.series[index];
+        let colour = curve(index, figure.series.len());
+        let runs: Vec<Vec<Point>> = runs(series, figure)
+            .into_iter()
+            .map(|run| run.into_iter().map(|p| self.at(p)).collect())
+            .collect();
+        let marked = if is_marked(figure) { markers::places(&runs, index) } else { Vec::new() };
+        canvas.group("curve", |canvas| {
+            for points in runs {
+                numbered(canvas, &thin_out(points), series.stroke, (index, colour));
+            }
+            if series.stroke != Stroke::Points {
+                marked.into_iter().for_each(|place| markers::mark(canvas, place, index, colour));
+            }
+        });
     }
 
     /// Looks for room that no curve crosses, first beside each mark, then in the corners for the legend.
@@ -168,6 +166,7 @@ impl Plan {
         let mut busy: Vec<Area> = marks(figure)
             .map(|(value, _)| self.x.at(value))
             .map(|x| Area { left: x - 3.0, right: x + 3.0, ..frame })
+            .chain(levels::places(frame, self.y, figure))
             .collect();
         let mut labels = Vec::new();
         for (value, label) in marks(figure) {
@@ -231,11 +230,32 @@ fn is_marked(figure: &LineFigure) -> bool {
 }
 
 /// As [`stroke`], with the markers of curve number `index`.
-fn numbered(canvas: &mut Canvas, points: Vec<Point>, kind: Stroke, (index, colour): (usize, Rgb)) {
+fn numbered(canvas: &mut Canvas, points: &[Point], kind: Stroke, (index, colour): (usize, Rgb)) {
     if kind == Stroke::Points {
-        points.into_iter().for_each(|point| markers::mark(canvas, point, index, colour));
+        points.iter().for_each(|point| markers::mark(canvas, *point, index, colour));
     } else {
         stroke(canvas, points, kind, colour);
+    }
+}
+
+/// The names of the curves, one below the other, each with a piece of its line.
+fn legend(canvas: &mut Canvas, figure: &LineFigure, area: Area) {
+    canvas.rectangle(area, Some([255; 3]), None);
+    for (index, series) in figure.series.iter().enumerate() {
+        let y = area.top + 6.0 + ROW * (index as f64 + 0.5);
+        let left = area.left + 8.0;
+        let ends = match series.stroke {
+            Stroke::Points => vec![(left + 0.5 * SAMPLE, y)],
+            Stroke::Solid | Stroke::Dashed => vec![(left, y), (left + SAMPLE, y)],
+        };
+        let colour = curve(index, figure.series.len());
+        canvas.group("key", |canvas| {
+            numbered(canvas, &ends, series.stroke, (index, colour));
+            if is_marked(figure) && index > 0 && series.stroke != Stroke::Points {
+                markers::mark(canvas, (left + 0.5 * SAMPLE, y), index, colour);
+            }
+            canvas.text((left + SAMPLE + 9.0, y + 5.0), &series.name, TICK, Anchor::Start);
+        });
     }
 }
 
@@ -245,20 +265,14 @@ fn has_legend(figure: &LineFigure) -> bool {
 }
 
 /// Draws a line of the usual width, or markers.
-pub(super) fn stroke(canvas: &mut Canvas, points: Vec<Point>, stroke: Stroke, colour: Rgb) {
+pub(super) fn stroke(canvas: &mut Canvas, points: &[Point], stroke: Stroke, colour: Rgb) {
     let pen = Pen::solid(colour, 2.2);
     match stroke {
         // A point alone between gaps makes no line.
         _ if points.len() == 1 => canvas.circle(points[0], 4.2, colour),
         Stroke::Solid => canvas.polyline(points, pen),
-        Stroke::Dashed => {
-            canvas.polyline(points, Pen { dash: DASH, ..pen });
-        }
-        Stroke::Points => {
-            for point in points {
-                canvas.circle(point, 4.2, colour);
-            }
-        }
+        Stroke::Dashed => canvas.polyline(points, Pen { dash: DASH, ..pen }),
+        Stroke::Points => points.iter().for_each(|point| canvas.circle(*point, 4.2, colour)),
     }
 }
 
@@ -315,7 +329,7 @@ mod tests {
 
     #[test]
     fn the_png_has_twice_the_size_of_the_page() {
-        let png = Picture::of(&Figure::Lines(figure())).unwrap().png;
+        let png = Picture::of(&Figure::Lines(figure())).unwrap().png().unwrap();
         assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
         let number = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().unwrap());
         assert_eq!((number(16), number(20)), (1800, 1212));

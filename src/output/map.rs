@@ -1,13 +1,14 @@
 //! Fields over a rectangle.
 
 use super::axis::{PLACES, Scale};
-use super::canvas::{Canvas, LABEL, Pen, label_room};
+use super::canvas::{Canvas, LABEL, Pen};
 use super::colours::{INK, MISSING, Rgb, diverging, sequential};
+use super::frame::label_room;
+use super::image::Image;
 use super::lettering::text_width;
 use super::lines::BELOW;
 use super::page::Area;
-use super::raster::Image;
-use super::{OutputError, overlay};
+use super::{OutputError, overlay, readout};
 use crate::figure::MapFigure;
 
 /// Page width [px].
@@ -67,8 +68,8 @@ impl Layout {
 }
 
 /// Draws the figure. The field is an embedded image, interpolated linearly between its values; what is not a number is
-/// grey.
-pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
+/// grey. With it, what it tells under the pointer.
+pub(super) fn draw(figure: &MapFigure) -> Result<(Canvas, String), OutputError> {
     let refuse = |reason: String, needed: &str| OutputError::Figure {
         figure: figure.name.clone(),
         reason,
@@ -92,15 +93,18 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
     let mut canvas = Canvas::new(WIDTH, (under + keys.height).round());
     let palette = palette(figure.symmetric);
     let size = [frame.width() as usize, frame.height() as usize];
-    canvas.image(Image { area: frame, palette: palette.clone(), pixels: pixels(figure, size, range) });
-    overlay::draw(&mut canvas, &figure.overlay, (x, x_span), (y, y_span));
+    let field = Image { columns: size[0], palette, pixels: pixels(figure, size, range) };
+    canvas.group("plot", |canvas| {
+        canvas.image(frame, &field);
+        overlay::draw(canvas, &figure.overlay, (x, x_span), (y, y_span));
+    });
     keys.draw(&mut canvas, &figure.overlay);
     canvas.rectangle(frame, None, Some(Pen::solid(INK, 1.2)));
     let x_count = ((frame.width() / 90.0) as usize).clamp(3, 8);
     canvas.x_axis(frame, x, &x.ticks(x_count), &figure.x_label, false);
     let y_count = ((frame.height() / 45.0) as usize).clamp(3, 8);
     canvas.y_axis(frame, y, &y.ticks(y_count), &figure.y_label, false);
-    colour_bar(&mut canvas, bar, flat, &palette[..usize::from(STEPS)]);
+    colour_bar(&mut canvas, bar, flat, field.palette);
     if flat {
         let scale = Scale::new(range, false, (bar.left, bar.right));
         canvas.x_axis(bar, scale, &scale.ticks(8), &figure.value_label, false);
@@ -109,7 +113,7 @@ pub(super) fn draw(figure: &MapFigure) -> Result<Canvas, OutputError> {
         canvas.y_axis(bar, scale, &scale.ticks(y_count), &figure.value_label, true);
     }
     canvas.title(frame, &figure.title);
-    Ok(canvas)
+    Ok((canvas, readout::of_map(figure, frame, x, y)))
 }
 
 /// The colours of all steps, and of what is not a number.
@@ -120,18 +124,10 @@ fn palette(symmetric: bool) -> Vec<Rgb> {
 }
 
 /// The colours side by side, from the left or from below.
-fn colour_bar(canvas: &mut Canvas, bar: Area, flat: bool, colours: &[Rgb]) {
-    let count = colours.len() as f64;
-    for (step, &colour) in colours.iter().enumerate() {
-        // Each step runs on under the next: viewers show a seam between rectangles that merely touch.
-        let (from, to) = (step as f64 / count, ((step as f64 + 1.7) / count).min(1.0));
-        let area = if flat {
-            Area { left: bar.left + from * bar.width(), right: bar.left + to * bar.width(), ..bar }
-        } else {
-            Area { top: bar.bottom - to * bar.height(), bottom: bar.bottom - from * bar.height(), ..bar }
-        };
-        canvas.rectangle(area, Some(colour), None);
-    }
+fn colour_bar(canvas: &mut Canvas, bar: Area, flat: bool, palette: Vec<Rgb>) {
+    let (columns, pixels) =
+        if flat { (usize::from(STEPS), (0..STEPS).collect()) } else { (1, (0..STEPS).rev().collect()) };
+    canvas.image(bar, &Image { columns, palette, pixels });
     canvas.rectangle(bar, None, Some(Pen::solid(INK, 1.2)));
 }
 
@@ -237,7 +233,7 @@ mod tests {
 
     #[test]
     fn the_png_has_twice_the_size_of_the_page() {
-        let png = Picture::of(&Figure::Map(figure(61, 41, false))).unwrap().png;
+        let png = Picture::of(&Figure::Map(figure(61, 41, false))).unwrap().png().unwrap();
         let width = u32::from_be_bytes(png[16..20].try_into().unwrap());
         assert_eq!(width, 1800);
     }

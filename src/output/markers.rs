@@ -22,14 +22,15 @@ const SHAPES: [&[Point]; 6] = [
 
 /// The mark of curve number `index` at `centre`; the first has a circle.
 pub(super) fn mark(canvas: &mut Canvas, centre: Point, index: usize, colour: Rgb) {
-    match index.checked_sub(1) {
+    canvas.group("marker", |canvas| match index.checked_sub(1) {
         None => canvas.circle(centre, SIZE, colour),
         Some(index) => {
             let shape = SHAPES[index % SHAPES.len()];
-            let outline = shape.iter().map(|(x, y)| (centre.0 + SIZE * x, centre.1 + SIZE * y)).collect();
-            canvas.polyline(outline, Pen::solid(colour, 1.8));
+            let outline: Vec<Point> =
+                shape.iter().map(|(x, y)| (centre.0 + SIZE * x, centre.1 + SIZE * y)).collect();
+            canvas.polyline(&outline, Pen::solid(colour, 1.8));
         }
-    }
+    });
 }
 
 /// Points in equal distances along the stretches `runs` of curve number `index`; none of the first curve, which is known by that.

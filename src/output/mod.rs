@@ -15,8 +15,12 @@ pub mod csv;
 #[cfg(feature = "pictures")]
 mod curves;
 mod error;
+#[cfg(feature = "pictures")]
+mod frame;
 #[cfg(feature = "files")]
 pub mod hdf5;
+#[cfg(feature = "pictures")]
+mod image;
 pub mod json;
 #[cfg(feature = "pictures")]
 mod lettering;
@@ -29,21 +33,29 @@ mod map;
 #[cfg(feature = "pictures")]
 mod markers;
 #[cfg(feature = "pictures")]
+mod markup;
+#[cfg(feature = "pictures")]
 mod overlay;
 #[cfg(feature = "pictures")]
 mod page;
 #[cfg(feature = "pictures")]
-mod pixels;
-#[cfg(feature = "pictures")]
 pub mod plot;
 #[cfg(feature = "pictures")]
-mod raster;
+mod png;
+#[cfg(feature = "pictures")]
+mod readout;
+#[cfg(feature = "pictures")]
 pub mod report;
 #[cfg(feature = "pictures")]
 mod sketch;
+mod table;
+#[cfg(feature = "pictures")]
+pub mod vti;
 
 pub use error::OutputError;
-pub use report::{Report, ReportTable};
+#[cfg(feature = "pictures")]
+pub use report::Report;
+pub use table::ReportTable;
 
 use std::path::Path;
 

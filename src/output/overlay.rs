@@ -3,6 +3,7 @@
 use super::axis::Scale;
 use super::canvas::{Anchor, Canvas, Pen, TICK};
 use super::colours::{INK, Rgb};
+use super::curves::thin_out;
 use super::lettering::text_width;
 use super::lines::{DASH, ROW, SAMPLE, stroke};
 use super::page::Point;
@@ -15,10 +16,10 @@ const RIM: f64 = 4.8;
 /// Distance from one entry of the legend to the next [px].
 const GAP: f64 = 24.0;
 
-fn rimmed(canvas: &mut Canvas, points: Vec<Point>, kind: Stroke, colour: Rgb) {
+fn rimmed(canvas: &mut Canvas, points: &[Point], kind: Stroke, colour: Rgb) {
     if kind != Stroke::Points && points.len() > 1 {
         let dash = if kind == Stroke::Dashed { DASH } else { None };
-        canvas.polyline(points.clone(), Pen { dash, ..Pen::solid([255; 3], RIM) });
+        canvas.polyline(points, Pen { dash, ..Pen::solid([255; 3], RIM) });
     }
     stroke(canvas, points, kind, colour);
 }
@@ -31,10 +32,12 @@ pub(super) fn draw(
     (y, y_span): (Scale, (f64, f64)),
 ) {
     for (index, series) in series.iter().enumerate() {
-        for run in cut(series, x_span, y_span) {
-            let points = run.into_iter().map(|(u, v)| (x.at(u), y.at(v))).collect();
-            rimmed(canvas, points, series.stroke, COLOURS[index % COLOURS.len()]);
-        }
+        canvas.group("curve", |canvas| {
+            for run in cut(series, x_span, y_span) {
+                let points = thin_out(run.into_iter().map(|(u, v)| (x.at(u), y.at(v))).collect());
+                rimmed(canvas, &points, series.stroke, COLOURS[index % COLOURS.len()]);
+            }
+        });
     }
 }
 
@@ -112,8 +115,10 @@ impl Legend {
                 Stroke::Points => vec![(left + 0.5 * SAMPLE, y)],
                 Stroke::Solid | Stroke::Dashed => vec![(left, y), (left + SAMPLE, y)],
             };
-            stroke(canvas, ends, series.stroke, COLOURS[index % COLOURS.len()]);
-            canvas.text((left + SAMPLE + 9.0, y + 5.0), &series.name, TICK, Anchor::Start);
+            canvas.group("key", |canvas| {
+                stroke(canvas, &ends, series.stroke, COLOURS[index % COLOURS.len()]);
+                canvas.text((left + SAMPLE + 9.0, y + 5.0), &series.name, TICK, Anchor::Start);
+            });
         }
     }
 }

@@ -1,8 +1,5 @@
 //! Places on a page.
 
-/// Pixels of a PNG per unit of the page.
-pub(super) const SHARPNESS: usize = 2;
-
 /// A point of the page [px], y downward.
 pub(super) type Point = (f64, f64);
 

@@ -1,16 +1,18 @@
-//! Pictures of a figure, as SVG and as PNG, from one drawing.
+//! Pictures of a figure: SVG, and the PNG of the same SVG.
 
-use super::{OutputError, bars, lines, map, save, sketch};
+use super::{OutputError, bars, lines, map, png, save, sketch};
 use crate::figure::Figure;
 use std::path::Path;
 
 /// A figure, drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
+    /// File stem.
+    pub name: String,
     /// SVG text, 900 px wide, with a `viewBox`, scalable.
     pub svg: String,
-    /// The bytes of a PNG, 1800 px wide.
-    pub png: Vec<u8>,
+    /// What the report's script tells under the pointer: axes and numbers as JSON; empty of a sketch.
+    pub readout: String,
 }
 
 impl Picture {
@@ -19,26 +21,33 @@ impl Picture {
     /// # Errors
     /// [`OutputError::Figure`] if it holds nothing that can be drawn.
     pub fn of(figure: &Figure) -> Result<Self, OutputError> {
-        let canvas = match figure {
+        let (canvas, readout) = match figure {
             Figure::Lines(lines) => lines::draw(lines)?,
             Figure::Map(map) => map::draw(map)?,
-            Figure::Bars(bars) => bars::draw(bars)?,
-            Figure::Sketch(sketch) => sketch::draw(sketch),
+            Figure::Bars(bars) => (bars::draw(bars)?, String::new()),
+            Figure::Sketch(sketch) => (sketch::draw(sketch), String::new()),
         };
-        let png = canvas.png().map_err(|reason| OutputError::Figure {
-            figure: figure.name().to_owned(),
+        Ok(Self { name: figure.name().to_owned(), svg: canvas.svg(), readout })
+    }
+
+    /// The bytes of a PNG, 1800 px wide, of the same SVG.
+    ///
+    /// # Errors
+    /// [`OutputError::Figure`] if the page has no size that a PNG can have.
+    pub fn png(&self) -> Result<Vec<u8>, OutputError> {
+        png::of(&self.svg).map_err(|reason| OutputError::Figure {
+            figure: self.name.clone(),
             reason,
             needed: "a size above zero".to_owned(),
-        })?;
-        Ok(Self { svg: canvas.svg(), png })
+        })
     }
 
     /// Writes `<name>.svg` and `<name>.png` into the folder `dir`, which must exist.
     ///
     /// # Errors
-    /// [`OutputError::Write`] if a file cannot be written.
-    pub fn write(&self, name: &str, dir: &Path) -> Result<(), OutputError> {
-        save(&dir.join(format!("{name}.svg")), self.svg.as_bytes())?;
-        save(&dir.join(format!("{name}.png")), &self.png)
+    /// [`OutputError::Write`] if a file cannot be written, as well as those of [`png`](Self::png).
+    pub fn write(&self, dir: &Path) -> Result<(), OutputError> {
+        save(&dir.join(format!("{}.svg", self.name)), self.svg.as_bytes())?;
+        save(&dir.join(format!("{}.png", self.name)), &self.png()?)
     }
 }

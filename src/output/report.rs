@@ -1,18 +1,10 @@
 //! The report: one HTML file that holds everything, for reading, sending and printing.
 
+use super::ReportTable;
+use super::markup::escape;
+use super::plot::Picture;
 use crate::concern::Concern;
 use std::fmt::Write as _;
-
-/// A table of the report.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ReportTable {
-    /// Title above the table.
-    pub title: String,
-    /// Column headings, with units.
-    pub header: Vec<String>,
-    /// Rows of cells.
-    pub rows: Vec<Vec<String>>,
-}
 
 /// Everything a reader needs to judge a run: the answers first, then what they rest on.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -29,8 +21,8 @@ pub struct Report {
     pub answers: Vec<(String, String)>,
     /// Answers that read better as a table.
     pub answer_tables: Vec<ReportTable>,
-    /// Title, caption and SVG text of every picture.
-    pub figures: Vec<(String, String, String)>,
+    /// Title, caption and picture of every figure.
+    pub figures: Vec<(String, String, Picture)>,
     /// Tables.
     pub tables: Vec<ReportTable>,
     /// The whole case file.
@@ -44,11 +36,13 @@ pub struct Report {
 }
 
 const STYLE: &str = include_str!("report.css");
+const SCRIPT: &str = include_str!("report.js");
 
 impl Report {
-    /// The report as one self-contained HTML5 document: no scripts, nothing fetched, ready to print on A4.
+    /// The report as one self-contained HTML5 document: nothing fetched, ready to print on A4, whole without its script, which tells
+    /// values under the pointer.
     ///
-    /// All text is escaped; the pictures' SVG is taken as it is, without what may stand before its `<svg` tag.
+    /// All text is escaped; the pictures' SVG is taken as it is.
     pub fn html(&self) -> String {
         let mut html = format!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
@@ -78,10 +72,12 @@ impl Report {
         }
         list(&mut html, "Assumptions", &self.assumptions);
         list(&mut html, "References", &self.references);
+        let told = self.figures.iter().any(|(_, _, picture)| !picture.readout.is_empty());
+        let script = if told { format!("<script>\n{SCRIPT}</script>\n") } else { String::new() };
         let _ = write!(
             html,
             "<section class=\"case\">\n<h2>Case file</h2>\n<pre>{}</pre>\n</section>\n</main>\n\
-             <footer>groundwave {}</footer>\n</body>\n</html>\n",
+             <footer>groundwave {}</footer>\n{script}</body>\n</html>\n",
             escape(&self.case_text),
             escape(&self.version)
         );
@@ -126,12 +122,15 @@ impl Report {
             return;
         }
         html.push_str("<section>\n<h2>Figures</h2>\n");
-        for (index, (title, caption, svg)) in self.figures.iter().enumerate() {
-            let start = svg.find("<svg").unwrap_or(0);
+        for (index, (title, caption, Picture { svg, readout, .. })) in self.figures.iter().enumerate() {
+            html.push_str("<figure>\n");
+            html.push_str(svg);
+            if !readout.is_empty() {
+                let _ = writeln!(html, "<script type=\"application/json\">{readout}</script>");
+            }
             let _ = writeln!(
                 html,
-                "<figure>\n{}\n<figcaption><b>Figure {}.</b> {}{} {}</figcaption>\n</figure>",
-                &svg[start..],
+                "<figcaption><b>Figure {}.</b> {}{} {}</figcaption>\n</figure>",
                 index + 1,
                 escape(title),
                 if title.ends_with(['.', '?', '!']) || title.is_empty() { "" } else { "." },
@@ -169,32 +168,18 @@ fn list(html: &mut String, title: &str, items: &[String]) {
     html.push_str("</ul>\n</section>\n");
 }
 
-/// Text that HTML shows as it stands.
-fn escape(text: &str) -> String {
-    let mut safe = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => safe.push_str("&amp;"),
-            '<' => safe.push_str("&lt;"),
-            '>' => safe.push_str("&gt;"),
-            '"' => safe.push_str("&quot;"),
-            '\'' => safe.push_str("&#39;"),
-            c => safe.push(c),
-        }
-    }
-    safe
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn report() -> Report {
+        let readout = "{\"frame\":[]}".to_owned();
+        let picture = Picture { name: "speed".into(), svg: "<svg id=\"a\"></svg>".into(), readout };
         Report {
             title: "Soft <clay> & \"peat\"".into(),
             version: "0.1.0".into(),
             answers: vec![("Critical speed".into(), "137 m/s".into())],
-            figures: vec![("Speed".into(), "c_s < v".into(), "<svg id=\"a\"></svg>".into())],
+            figures: vec![("Speed".into(), "c_s < v".into(), picture)],
             tables: vec![ReportTable {
                 title: "Layers".into(),
                 header: vec!["thickness [m]".into()],
@@ -217,11 +202,14 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_fetched_and_nothing_runs() {
-        let html = report().html();
-        for word in ["<script", "http://", "https://", "@import", "src="] {
-            assert!(!html.contains(word), "{word}");
+    fn nothing_is_fetched_and_without_pictures_nothing_runs() {
+        let mut report = report();
+        for word in ["http://", "https://", "@import", "src=", "fetch(", "XMLHttpRequest", "import("] {
+            assert!(!report.html().contains(word), "{word}");
         }
+        assert_eq!(report.html().matches("<script").count(), 2);
+        report.figures[0].2.readout.clear();
+        assert!(!report.html().contains("<script"));
     }
 
     #[test]

@@ -85,7 +85,7 @@ fn spring(canvas: &mut Canvas, x: f64, top: f64) {
         let side = [0.0, 5.0, -5.0, 5.0, -5.0, 0.0][i];
         (x + side, top + PART * i as f64 / 5.0)
     };
-    canvas.polyline((0..6).map(at).collect(), Pen::solid(GREY, 1.6));
+    canvas.polyline(&[0, 1, 2, 3, 4, 5].map(at), Pen::solid(GREY, 1.6));
 }
 
 /// Wheels with their loads above a rail, positions below it; the leading axle on the right, as in all pictures.

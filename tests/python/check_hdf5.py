@@ -5,7 +5,7 @@
 Every variable of every group must have the same values (bit for bit), units, description and dimensions in both, and
 every dimension must be recognised as a coordinate. What trips other tools is looked for too: coordinates a bit beside
 their decimal, gaps that are not `_FillValue`, units that UDUNITS reads as something else, attributes called as a
-dataset, a file that netCDF4 cannot append to. Needs what requirements.txt lists. Exits with 1 on any difference.
+dataset, a file that netCDF4 cannot append to; and what the CF conventions want: units, names, axes, coordinates in order. Needs what requirements.txt lists. Exits with 1 on any difference.
 """
 
 import csv
@@ -90,11 +90,11 @@ def compare(stored, dataset, name, tables):
 
 
 def misread(units):
-    """True for units that UDUNITS takes for others: it reads a broken power as a factor. What it refuses is not misread."""
+    """True for units that UDUNITS takes for others: it reads a broken power as a factor. None of those it refuses."""
     try:
         return cf_units.Unit(units).definition[:1].isdigit() and units != "1"
     except ValueError:
-        return False
+        return None
 
 
 def traps(group):
@@ -110,6 +110,33 @@ def traps(group):
             decimals = np.round(values, 9)
             beside = (values != decimals) & (np.abs(values - decimals) < 1e-14 * np.abs(values).max())
             found += [f"{name}: {value!r} lies beside its decimal" for value in values[beside]]
+    return found
+
+
+def conventions(results):
+    """What the CF conventions and the data model of NetCDF-4 miss, as a list of texts."""
+    found = []
+    with netCDF4.Dataset(results) as file:
+        if file.data_model != "NETCDF4" or "CF-1.8" not in file.Conventions:
+            found.append(f"{file.data_model}, {file.Conventions}")
+        for group in file.groups.values():
+            for name, variable in group.variables.items():
+                called = f"{group.name}/{name}"
+                if not name.isidentifier() or not name.isascii() or not variable.long_name:
+                    found.append(f"{called}: its name or its long_name")
+                levels = variable.units.startswith("dB")  # which UDUNITS does not know
+                if not levels and misread(variable.units) is None:
+                    found.append(f"{called}: UDUNITS does not know {variable.units}")
+                values = np.ma.atleast_1d(variable[:])
+                if np.isnan(values.compressed()).any():
+                    found.append(f"{called}: what is absent is not masked")
+                if variable.dimensions == (name,) and values.size > 1:
+                    steps = np.diff(values)
+                    if np.ma.count_masked(values) or not (np.all(steps > 0) or np.all(steps < 0)):
+                        found.append(f"{called}: a coordinate with gaps or turns")
+                axis = {"x": "X", "y": "Y", "z": "Z"}.get(name)
+                if variable.dimensions == (name,) and axis and variable.axis != axis:
+                    found.append(f"{called}: its axis is not {axis}")
     return found
 
 
@@ -161,6 +188,9 @@ def main(results, folder):
         if not len(file):
             print(f"{results} has no group")
             wrong += 1
+    for fault in conventions(results):
+        print(f"CF and NetCDF-4: {fault}")
+        wrong += 1
     if fault := appended(results):
         print(f"netCDF4 cannot append: {fault}")
         wrong += 1
