@@ -32,11 +32,11 @@ const RANKS: &[&[&str]] = &[
 /// Heavy dependencies and the files or folders they may be named in.
 const BEHIND: &[(&str, &[&str])] = &[
     ("hdf5", &["output/hdf5.rs", "output/error.rs"]),
-    ("resvg", &["output/png.rs"]),
+    ("resvg", &["output/bitmap.rs"]),
     ("ttf_parser", &["output/lettering.rs"]),
     ("rustfft", &["math/fourier.rs"]),
     ("realfft", &["math/fourier.rs"]),
-    ("png", &["output/png.rs", "output/image.rs"]),
+    ("png", &["output/bitmap.rs", "output/image.rs"]),
     ("miette", &["case/error.rs", "cli/"]),
     ("clap", &["cli/"]),
     ("indicatif", &["cli/progress.rs"]),

@@ -21,12 +21,16 @@ fn long(study: &mut Study) {
         *list = (0..200_000).map(|i| from + (to - from) * f64::from(i) / 2e5).collect();
     };
     match study {
+        Study::CriticalSpeed(study) => many(&mut study.speeds),
         Study::Dispersion(study) => many(&mut study.frequencies),
         Study::Receptance(study) if study.map.is_none() => many(&mut study.frequencies),
         Study::DecayRate(study) => many(&mut study.frequencies),
         Study::Transition(study) => many(&mut study.frequencies),
         Study::EquivalentStiffness(study) => many(&mut study.frequencies),
-        Study::SurfaceCompliance(study) => many(&mut study.frequencies),
+        Study::SurfaceCompliance(study) => {
+            many(&mut study.frequencies);
+            study.k = (1..=1000).map(|i| 0.01 * f64::from(i)).collect();
+        }
         Study::TrackResponse(study) => study.speeds = vec![study.speeds[0]; 10_000],
         Study::Contour(study) => study.speeds = vec![study.speeds[0]; 100],
         _ => {}

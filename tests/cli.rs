@@ -801,7 +801,7 @@ fn a_receptance_map_is_written_and_its_faults_are_named() {
     let map = "[receptance]\nfrequencies = [20.0]\n[receptance.map]\nfrequencies = [12.5]\n\
                x = { from = -10.0, to = 10.0 }\ny = { from = 0.0, to = 6.0 }\nspacing = 1.0\n";
     let (folder, _) = folder_with(&CASE.replace(asked, map));
-    let output = groundwave(&["run", "case.toml", "--out", "out", "--csv-maps"], folder.path());
+    let output = groundwave(&["run", "case.toml", "--out", "out", "--csv-maps", "--vti"], folder.path());
     assert_eq!(code(&output), 0, "{}", err(&output));
     assert!(!String::from_utf8_lossy(&output.stdout).contains("--csv-maps"));
     let out = folder.path().join("out");
@@ -813,6 +813,8 @@ fn a_receptance_map_is_written_and_its_faults_are_named() {
     let rows: Vec<&str> = table.lines().filter(|line| !line.starts_with('#')).collect();
     assert_eq!(rows[0], "map_frequency [Hz],y [m],x [m],map_re [m N-1],map_im [m N-1]");
     assert_eq!(rows.len(), 1 + 7 * 21);
+    let grid = std::fs::read_to_string(out.join("receptance_map_re.vti")).unwrap();
+    assert!(grid.contains("WholeExtent=\"0 20 0 6 0 0\"") && grid.contains("map_re_map_frequency_12.5"));
     assert!(std::fs::read_to_string(out.join("summary.json")).unwrap().contains("max_map_12.5"));
     // not asked for as a table, the map is in results.h5, and every reader is told so
     let output = groundwave(&["run", "case.toml", "--out", "short", "--no-pictures"], folder.path());
@@ -820,6 +822,7 @@ fn a_receptance_map_is_written_and_its_faults_are_named() {
     let short = folder.path().join("short");
     assert!(!short.join("receptance_map_frequency_y_x.csv").exists());
     assert!(names_in(&short).iter().any(|name| name.ends_with(".csv")));
+    assert!(!names_in(&short).iter().any(|name| name.ends_with(".vti")));
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(said.contains("receptance/map_re, receptance/map_im; as tables too with --csv-maps"), "{said}");
     let json = std::fs::read(short.join("summary.json")).unwrap();

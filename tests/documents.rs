@@ -22,7 +22,8 @@ fn files() -> Vec<(String, String)> {
     let mut found = Vec::new();
     walk(root(), &mut found);
     let name = |path: &Path| path.strip_prefix(root()).unwrap().to_str().unwrap().to_owned();
-    let is_code = |path: &Path| path.extension().is_some_and(|e| e == "rs");
+    let is_code =
+        |path: &Path| path.extension().is_some_and(|e| ["rs", "js", "py"].iter().any(|code| e == *code));
     let text =
         |path: &Path| if is_code(path) { std::fs::read_to_string(path).unwrap() } else { String::new() };
     found.iter().map(|path| (name(path), text(path))).collect()

@@ -3,7 +3,7 @@
 use super::columns::study_group;
 use super::derivative::Derivative;
 use super::figures::{self, KMH};
-use super::statistics::{quantile, quantile_interval, share_interval};
+use super::statistics::{quantile, quantile_interval, share_interval, sorted};
 use super::table::Table;
 use super::tables::tables;
 use super::view::{CRITICAL, View};
@@ -13,6 +13,8 @@ use crate::concern::Concern;
 use crate::output::ReportTable;
 use crate::study::{Answer, Outcome};
 
+/// Where the whole train moves the rail most.
+const TRAIN: &str = "critical_speed.train_largest_speed";
 /// Fewest samples of which the least is a lower bound of the 5 % quantile, with 95 %: 0.95ⁿ < 0.05 (Wilks 1941).
 const FEW: usize = 59;
 
@@ -67,44 +69,58 @@ impl View<'_> {
         answers
     }
 
+    /// The quantile `p` of critical speeds `values`, as `what`; at an end of the range it is a bound.
+    fn quantile(&self, values: &[f64], p: f64, (key, what): (&str, &str)) -> Answer {
+        let (value, (low, high)) = (quantile(values, p), quantile_interval(values, p));
+        let (first, last) = self.ends();
+        let shown = if value <= first {
+            format!("at or below {}, the lowest speed asked", kmh(value))
+        } else if value >= last {
+            format!("at or above {}, the highest speed asked", kmh(value))
+        } else if self.drawn() {
+            format!("{}, 95 %: {:.0} to {:.0} km/h", kmh(value), KMH * low, KMH * high)
+        } else {
+            kmh(value)
+        };
+        Answer::new(key, what, value, "m/s", shown)
+    }
+
     /// Quantiles of the critical speed, the lowest first, and the probability that the line is faster.
     fn critical_speeds(&self, values: &[f64]) -> Vec<Answer> {
         if values.is_empty() {
             return Vec::new();
         }
-        let at = |p: f64, key: &str, what: &str| {
-            let value = quantile(values, p);
-            let (low, high) = quantile_interval(values, p);
-            let error = if self.drawn() {
-                format!(", 95 %: {:.0} to {:.0} km/h", KMH * low, KMH * high)
-            } else {
-                String::new()
-            };
-            Answer::new(key, what, value, "m/s", kmh(value) + &error)
-        };
+        let at = |p: f64, key, what| self.quantile(values, p, (key, what));
         let mut answers =
             vec![at(0.05, "critical_speed_p5", "Critical speed that 5 % of the grounds stay below")];
-        if let Some(line) = self.line_speed() {
-            let hits = values.iter().filter(|value| **value < line).count();
-            let p = hits as f64 / values.len() as f64;
-            let (low, high) = share_interval(hits, values.len());
-            let error = if self.drawn() {
-                format!(", 95 %: {} to {}", share(low), share(high))
-            } else {
-                String::new()
-            };
-            let what =
-                format!("Probability that the critical speed lies below the line speed, {}", kmh(line));
-            answers.push(Answer::new("exceedance_probability", what, p, "1", share(p) + &error));
-            if self.drawn() {
-                let most = share_interval(hits + self.table.refused.len(), self.rows.samples).1;
-                let what = "… at most, with 97.5 % confidence, samples without an answer counted in";
-                answers.push(Answer::new("exceedance_probability_at_most", what, most, "1", share(most)));
-            }
+        let train = sorted(self.table.of(TRAIN).into_iter().map(|(_, value)| value));
+        if !train.is_empty() {
+            let what = "Speed at which this train moves the rail most, that 5 % stay below";
+            answers.push(self.quantile(&train, 0.05, ("train_largest_speed_p5", what)));
         }
+        answers.extend(self.line_speed().into_iter().flat_map(|line| self.exceedance(values, line)));
         answers.push(at(0.5, "critical_speed_p50", "Critical speed that half of the grounds stay below"));
         answers.push(at(0.95, "critical_speed_p95", "Critical speed that 95 % of the grounds stay below"));
         answers
+    }
+
+    /// The share of critical speeds `values` below the `line`, and what it may be at most. A maximum at the lower end of the range counts
+    /// as one below: it is nowhere above.
+    fn exceedance(&self, values: &[f64], line: f64) -> Vec<Answer> {
+        let hits = values.iter().filter(|value| **value < line || **value <= self.ends().0).count();
+        let p = hits as f64 / values.len() as f64;
+        let what = format!("Probability that the critical speed lies below the line speed, {}", kmh(line));
+        if !self.drawn() {
+            return vec![Answer::new("exceedance_probability", what, p, "1", share(p))];
+        }
+        let (low, high) = share_interval(hits, values.len());
+        let shown = format!("{}, 95 %: {} to {}", share(p), share(low), share(high));
+        let most = share_interval(hits + self.table.refused.len(), self.rows.samples).1;
+        let at_most = "… at most, with 97.5 % confidence, samples without an answer counted in";
+        vec![
+            Answer::new("exceedance_probability", what, p, "1", shown),
+            Answer::new("exceedance_probability_at_most", at_most, most, "1", share(most)),
+        ]
     }
 
     fn concerns(&self) -> Vec<Concern> {

@@ -8,7 +8,7 @@ use super::table::Table;
 use super::worst::{Worst, worst};
 use crate::case::{Case, Uncertain, Varied};
 use crate::sampling::SamplingMethod;
-use crate::study::Study;
+use crate::study::{CriticalSpeed, Study};
 
 /// The answer a study with a speed curve is about.
 pub(super) const CRITICAL: &str = "critical_speed.critical_speed";
@@ -57,11 +57,24 @@ impl<'a> View<'a> {
         matches!(self.study.design.method(), SamplingMethod::MonteCarlo | SamplingMethod::LatinHypercube)
     }
 
-    pub fn line_speed(&self) -> Option<f64> {
+    /// The question for the speed curve.
+    fn asked(&self) -> Option<&CriticalSpeed> {
         self.case.studies.iter().find_map(|study| match study {
-            Study::CriticalSpeed(study) => study.line_speed,
+            Study::CriticalSpeed(study) => Some(study),
             _ => None,
         })
+    }
+
+    /// The speed of the line [m/s].
+    pub fn line_speed(&self) -> Option<f64> {
+        self.asked()?.line_speed
+    }
+
+    /// The lowest and the highest speed asked [m/s]: a critical speed there is a bound, not a maximum.
+    pub fn ends(&self) -> (f64, f64) {
+        let speeds = self.asked().map_or(&[][..], |asked| &asked.speeds);
+        let end = |speed: Option<&f64>, none| speed.copied().unwrap_or(none);
+        (end(speeds.first(), f64::NEG_INFINITY), end(speeds.last(), f64::INFINITY))
     }
 
     /// The values of the main answer, ascending.

@@ -45,7 +45,7 @@ pub(super) fn curve(index: usize, count: usize) -> Rgb {
         CURVES[index % CURVES.len()]
     } else {
         // The light end of viridis does not show on white.
-        sequential(0.63 * index as f64 / (count - 1) as f64)
+        sequential(0.59 * index as f64 / (count - 1) as f64)
     }
 }
 
@@ -88,7 +88,7 @@ mod tests {
         {
             let [r, g, b] = curve(index, count).map(linear);
             let contrast = 1.05 / (0.2126 * r + 0.7152 * g + 0.0722 * b + 0.05);
-            // measured 3.06 at least; WCAG 1.4.11 asks for 3
+            // measured 3.06 (a hue) and 3.09 (the ramp) at least; WCAG 1.4.11 asks for 3
             assert!(contrast > 3.0, "{contrast} of {index} among {count}");
         }
     }

@@ -1,4 +1,4 @@
-//! What a run leaves behind: HDF5, CSV and JSON files, pictures, and a report.
+//! What a run leaves behind: HDF5, CSV, JSON and VTK files, pictures, and a report.
 //!
 //! Exporters take a [`Dataset`](crate::dataset::Dataset), a [`Figure`](crate::figure::Figure) or plain values and know
 //! nothing of soils or tracks. They write in place: the runner gathers all files in a folder that appears whole.
@@ -7,6 +7,8 @@
 mod axis;
 #[cfg(feature = "pictures")]
 mod bars;
+#[cfg(feature = "pictures")]
+mod bitmap;
 #[cfg(feature = "pictures")]
 mod canvas;
 #[cfg(feature = "pictures")]
@@ -40,8 +42,6 @@ mod overlay;
 mod page;
 #[cfg(feature = "pictures")]
 pub mod plot;
-#[cfg(feature = "pictures")]
-mod png;
 #[cfg(feature = "pictures")]
 mod readout;
 #[cfg(feature = "pictures")]

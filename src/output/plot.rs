@@ -1,6 +1,6 @@
 //! Pictures of a figure: SVG, and the PNG of the same SVG.
 
-use super::{OutputError, bars, lines, map, png, save, sketch};
+use super::{OutputError, bars, bitmap, lines, map, save, sketch};
 use crate::figure::Figure;
 use std::path::Path;
 
@@ -35,7 +35,7 @@ impl Picture {
     /// # Errors
     /// [`OutputError::Figure`] if the page has no size that a PNG can have.
     pub fn png(&self) -> Result<Vec<u8>, OutputError> {
-        png::of(&self.svg).map_err(|reason| OutputError::Figure {
+        bitmap::of(&self.svg).map_err(|reason| OutputError::Figure {
             figure: self.name.clone(),
             reason,
             needed: "a size above zero".to_owned(),

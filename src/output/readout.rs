@@ -20,10 +20,9 @@ const STEPS: f64 = 65_534.0;
 /// The readout of curves in `frame` with the scales `x` and `y`, as JSON.
 pub(super) fn of_lines(figure: &LineFigure, frame: Area, x: Scale, y: Scale) -> String {
     let (curves, numbers) = curves(&figure.series);
-    let second = figure
-        .second_x
-        .as_ref()
-        .map(|SecondAxis { label, factor }| json!({"label": label, "factor": factor}));
+    let second = figure.second_x.as_ref().map(|SecondAxis { label, factor }| {
+        json!({"label": label, "factor": factor, "exponent": x.times(*factor).ticks(8).exponent})
+    });
     text(json!({
         "frame": [frame.left, frame.top, frame.right, frame.bottom],
         "x": axis(&figure.x_label, x), "y": axis(&figure.y_label, y), "second": second,

@@ -67,12 +67,15 @@
     const zoomed = (way, pixel) => between(view[way], whole[way], pixel);
     const back = (way, pixel) => between(whole[way], view[way], pixel);
     const at = (way, number) => zoomed(way, drawn(told[way], number));
+    for (const curve of curves) for (const way of ["x", "y"])
+      curve[way + "Drawn"] = Float64Array.from(curve[way], (number) => drawn(told[way], number));
+    const placeOf = (curve, i) => [zoomed("x", curve.xDrawn[i]), zoomed("y", curve.yDrawn[i])];
 
     // Redraws what depends on the view; the elements as they stood come back with the whole view.
     const path = (curve) => {
       let text = "", pen = "M";
-      curve.x.forEach((x, i) => {
-        const place = [at("x", x), at("y", curve.y[i])];
+      curve.x.forEach((_, i) => {
+        const place = placeOf(curve, i);
         if (!place.every(Number.isFinite)) { pen = "M"; return; }
         text += pen + place.map((pixel) => Math.max(-1e4, Math.min(1e4, pixel)).toFixed(2)); pen = "L";
       });
@@ -125,7 +128,7 @@
       all(".plot > image").forEach((image) => image.setAttribute("transform", matrix));
       const renew = (group, ...rest) => { keep(group); retick(group, ...rest); };
       for (const way of ["x", "y"]) all(`.grid.${way}, .ticks.${way}`).forEach((group) => renew(group, way, 1, told[way].exponent));
-      all(".ticks.second").forEach((group) => renew(group, "x", told.second.factor, 0));
+      all(".ticks.second").forEach((group) => renew(group, "x", told.second.factor, told.second.exponent));
     };
 
     // The value nearest to a place of the page, told beside it.
@@ -148,8 +151,8 @@
       }
       const steady = !field && shown.every((curve) => curve.x.every((v, i) => !i || v >= curve.x[i - 1]));
       let best = { far: Infinity };
-      for (const curve of shown) curve.x.forEach((v, i) => {
-        const place = [at("x", v), at("y", curve.y[i])];
+      for (const curve of shown) curve.x.forEach((_, i) => {
+        const place = placeOf(curve, i);
         const far = steady ? Math.abs(place[0] - x) : Math.hypot(place[0] - x, place[1] - y);
         if (far < best.far && place.every(Number.isFinite) && inView(...place)) best = { far, curve, i };
       });
@@ -159,13 +162,13 @@
     };
     const tell = (x, y) => {
       const found = pointsAt(x, y), lines = [], places = [];
-      const points = found.points.filter(({ curve, i }) => i >= 0 && Number.isFinite(at("y", curve.y[i])));
+      const points = found.points.filter(({ curve, i }) => i >= 0 && Number.isFinite(curve.yDrawn[i]));
       if (points.length) {
         const second = told.second ? ` = ${plain(digits(found.here * told.second.factor, 5))} ${parts(told.second.label)[1]}` : "";
         lines.push(measure(told.x.label, found.called) + second);
         for (const { curve, i } of points) {
           lines.push((curves.length > 1 ? `${curve.name}: ` : "") + measure(told.y.label, digits(curve.y[i], 5)));
-          places.push([at("x", found.here), at("y", curve.y[i])]);
+          places.push([at("x", found.here), placeOf(curve, i)[1]]);
         }
       } else if (field) {
         const i = nearest(field.x, "x", x), j = nearest(field.y, "y", y), code = field.codes[j * field.x.length + i];
@@ -191,7 +194,7 @@
     const reset = () => { view = structuredClone(whole); redraw(); hush(); };
 
     // Pointer and keys.
-    const placeOf = (event) => {
+    const pageOf = (event) => {
       const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
       return [x, y];
     };
@@ -199,12 +202,12 @@
     let from = null, cursor = [(left + right) / 2, (top + bottom) / 2];
     const box = (a, b) => [0, 1].map((k) => [Math.min(a[k], b[k]), Math.max(a[k], b[k])]);
     svg.addEventListener("pointerdown", (event) => {
-      const place = placeOf(event);
+      const place = pageOf(event);
       const drags = event.pointerType !== "touch" && event.button === 0 && !event.target.closest(".key");
       if (drags && inView(...place)) from = within(place);
     });
     svg.addEventListener("pointermove", (event) => {
-      const place = placeOf(event);
+      const place = pageOf(event);
       if (!from) { if (inView(...place)) tell(...(cursor = place)); else hush(); return; }
       const [[x0, x1], [y0, y1]] = box(from, within(place));
       hush(); make("rect", { x: x0, y: y0, width: x1 - x0, height: y1 - y0 }, pointer);
@@ -212,7 +215,7 @@
     svg.addEventListener("pointerleave", () => { if (!from) hush(); });
     window.addEventListener("pointerup", (event) => {
       if (!from) return;
-      const wide = box(from, within(placeOf(event)));
+      const wide = box(from, within(pageOf(event)));
       from = null;
       hush();
       const large = wide.map(([low, high]) => high - low > 8);
@@ -235,7 +238,7 @@
     // Legend entries hide and show their curves.
     const show = (curve, shown) => {
       curve.shown = shown;
-      curve.group.style.display = shown ? "" : "none";
+      curve.group.style.visibility = shown ? "" : "hidden";
       curve.key.classList.toggle("off", !shown);
       curve.key.setAttribute("aria-pressed", shown);
       hush();

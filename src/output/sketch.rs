@@ -22,7 +22,7 @@ const SHADED: (f64, f64) = (60.0, 800.0);
 
 /// Darker the stiffer: a shade of brown that print in grey keeps apart.
 fn shade(layer: &DrawnLayer) -> Rgb {
-    let Some(speed) = layer.shear_speed else { return [120, 120, 120] };
+    let Some(speed) = layer.shear_speed else { return [150, 150, 150] };
     let part = ((speed / SHADED.0).ln() / (SHADED.1 / SHADED.0).ln()).clamp(0.0, 1.0);
     let between = |light: f64, dark: f64| (light + part * (dark - light)).round() as u8;
     [between(250.0, 176.0), between(243.0, 150.0), between(228.0, 116.0)]

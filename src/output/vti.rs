@@ -9,7 +9,7 @@ use std::path::Path;
 
 /// Writes `<group>_<variable>.vti` into the folder `dir`, which must exist, for every variable of `group` over (y, x) or (z, y, x).
 ///
-/// What lies along further dimensions is an array each, called after its coordinates (`u_z_speed_137`), of 64-bit floats in the
+/// What lies along further dimensions is an array each, called after its coordinates to four decimals (`u_z_speed_137`), of 64-bit floats in the
 /// units of the variable; z is the depth, positive down. Where an axis has no equal steps the file is a `.vtr`.
 ///
 /// # Errors
@@ -54,7 +54,7 @@ fn arrays(group: &Group, variable: &Variable, spatial: usize) -> String {
         let mut names: Vec<String> = Vec::new();
         for (name, length) in variable.dims.iter().zip(outer).rev() {
             let at = group.get(name).map_or(f64::NAN, |along| along.values[[rest % length]]);
-            names.push(format!("_{name}_{at}"));
+            names.push(format!("_{name}_{}", (1e4 * at).round() / 1e4));
             rest /= length;
         }
         names.push(variable.name.clone());

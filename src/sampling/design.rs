@@ -133,13 +133,17 @@ impl Design {
     /// Probability of every number in sample `i`, counted from 0.
     pub fn probabilities(&self, i: usize) -> Vec<f64> {
         let n = self.samples as f64;
-        let numbers = self.keys.iter().enumerate();
         match self.method {
             SamplingMethod::MonteCarlo if self.correlation.any() => {
                 self.scores(i).into_iter().map(normal::probability).collect()
             }
-            SamplingMethod::MonteCarlo => numbers.map(|(_, key)| uniform(self.seed, key, i as u64)).collect(),
-            SamplingMethod::LatinHypercube => numbers
+            SamplingMethod::MonteCarlo => {
+                self.keys.iter().map(|key| uniform(self.seed, key, i as u64)).collect()
+            }
+            SamplingMethod::LatinHypercube => self
+                .keys
+                .iter()
+                .enumerate()
                 .map(|(j, key)| {
                     let within = uniform(self.seed, &format!("{key} within its part"), i as u64);
                     (f64::from(self.strata[j][i]) + within) / n
@@ -162,8 +166,8 @@ impl Design {
             }
             SamplingMethod::OneAtATime => {
                 let moved = i.checked_sub(1).map(|k| (k / 2, ENDS[k % 2]));
-                numbers
-                    .map(|(j, _)| moved.filter(|(number, _)| *number == j).map_or(0.5, |(_, end)| end))
+                (0..self.keys.len())
+                    .map(|j| moved.filter(|(number, _)| *number == j).map_or(0.5, |(_, end)| end))
                     .collect()
             }
         }

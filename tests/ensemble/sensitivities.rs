@@ -87,3 +87,22 @@ fn named_grounds_and_tracks_vary_as_written_ones() {
     let of = |case: &Case| case.studies[0].run(&case.railway, &Silent).unwrap().answers;
     assert_eq!(of(&central), of(&case));
 }
+
+#[test]
+fn critical_speeds_at_the_end_of_the_range_are_bounds() {
+    let text = uncertain("[20.0, 60.0, 100.0]", 60, "derivatives = false")
+        .replace("line_speed = \"250 km/h\"", "line_speed = 10.0");
+    let folder = tempfile::tempdir().unwrap();
+    ensemble::run(&parsed(&text), folder.path(), Shard::WHOLE, &Silent).unwrap();
+    let (_, summary) = ensemble::gather(folder.path(), false, &Silent).unwrap();
+    let shown = |key: &str| &summary.answers[0].1.iter().find(|answer| answer.key == key).unwrap().shown;
+    assert_eq!(shown("critical_speed_p95"), "at or above 360 km/h (100.0 m/s), the highest speed asked");
+    // 0 of 60: Wilson, 3.84/(60 + 3.84)
+    assert_eq!(shown("exceedance_probability_at_most"), "6.0 %");
+    assert!(
+        summary
+            .concerns
+            .iter()
+            .any(|c| c.code == "concerns-of-samples" && c.message.contains("maximum-at-end in 60"))
+    );
+}

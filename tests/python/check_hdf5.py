@@ -9,6 +9,7 @@ dataset, a file that netCDF4 cannot append to; and what the CF conventions want:
 """
 
 import csv
+import re
 import shutil
 import sys
 import tempfile
@@ -122,10 +123,13 @@ def conventions(results):
         for group in file.groups.values():
             for name, variable in group.variables.items():
                 called = f"{group.name}/{name}"
-                if not name.isidentifier() or not name.isascii() or not variable.long_name:
+                # of a study they are the paths of keys, dots and brackets among them, which NetCDF-4 bears and CF advises against
+                plain = re.sub(r"[.\[\]]", "_", name) if group.name == "study" else name
+                if not plain.isidentifier() or not plain.isascii() or not variable.long_name:
                     found.append(f"{called}: its name or its long_name")
-                levels = variable.units.startswith("dB")  # which UDUNITS does not know
-                if not levels and misread(variable.units) is None:
+                # UDUNITS knows no decibels and no broken powers
+                unknown = variable.units.startswith("dB") or "^(" in variable.units
+                if not unknown and misread(variable.units) is None:
                     found.append(f"{called}: UDUNITS does not know {variable.units}")
                 values = np.ma.atleast_1d(variable[:])
                 if np.isnan(values.compressed()).any():

@@ -122,7 +122,7 @@ def legend(page):
     """Entries hide and show, by mouse and by keys."""
     figure = Figure(page, "Rail deflection against speed")
     keys, shown = figure.svg.locator(".key"), lambda: [
-        g.evaluate("g => getComputedStyle(g).display !== 'none'") for g in figure.svg.locator(".curve").all()
+        g.evaluate("g => getComputedStyle(g).visibility !== 'hidden'") for g in figure.svg.locator(".curve").all()
     ]
     check(keys.count() >= 2 and all(shown()), f"{keys.count()} entries, {shown()}")
     keys.nth(0).click()

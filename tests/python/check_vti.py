@@ -46,7 +46,8 @@ def main(folder):
             outer = [d for d in dims if d not in "xyz"]
             count = 0
             for index in itertools.product(*(range(file[group][d].size) for d in outer)):
-                called = name + "".join(f"_{d}_{float(file[group][d][i]):g}" for d, i in zip(outer, index))
+                at = [f"_{d}_" + repr(round(float(file[group][d][i]), 4)).removesuffix(".0") for d, i in zip(outer, index)]
+                called = name + "".join(at)
                 array = grid.GetPointData().GetArray(called)
                 if array is None or not np.array_equal(vtk_to_numpy(array), stored[index].ravel(), equal_nan=True):
                     print(f"{path.name}: {called} differs")
