@@ -1,30 +1,19 @@
 //! A page as a PNG, drawn from its SVG.
 
-use super::lettering::FONT;
+use super::lettering::outlined;
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::{ImageRendering, Options, Tree};
-use std::sync::{Arc, LazyLock};
 
 /// Pixels per unit of the page.
 const SHARPNESS: f32 = 2.0;
 /// Pixels per metre of paper: 300 dpi, so that a page 900 wide prints 152 mm wide.
 const PRINT: u32 = 11_811;
 
-/// The one font, whatever the machine has: pictures are the same everywhere. Fields keep their pixels: smoothed, they code
-/// into files half as large again.
-static OPTIONS: LazyLock<Options> = LazyLock::new(|| {
-    let mut options = Options {
-        font_family: "DejaVu Sans".to_owned(),
-        image_rendering: ImageRendering::OptimizeSpeed,
-        ..Options::default()
-    };
-    Arc::make_mut(&mut options.fontdb).load_font_data(FONT.to_vec());
-    options
-});
-
 /// The bytes of a PNG, two pixels per unit of the page; the reason if `svg` has no size above zero.
 pub(super) fn of(svg: &str) -> Result<Vec<u8>, String> {
-    let tree = Tree::from_str(svg, &OPTIONS).map_err(|error| error.to_string())?;
+    // fields keep their pixels: smoothed, they code into files half as large again
+    let options = Options { image_rendering: ImageRendering::OptimizeSpeed, ..Options::default() };
+    let tree = Tree::from_str(&outlined(svg), &options).map_err(|error| error.to_string())?;
     let size = tree.size().to_int_size().scale_by(SHARPNESS).ok_or("no size")?;
     let mut pixels = Pixmap::new(size.width(), size.height()).ok_or("page too large")?;
     // a page that ends within a pixel

@@ -1,4 +1,6 @@
 //! Curves over one abscissa.
+//!
+//! The file is long because curves, legend and marks seek their room on one page.
 
 use super::OutputError;
 use super::axis::Scale;

@@ -18,6 +18,12 @@ pub(super) fn escape(text: &str) -> String {
     safe
 }
 
+/// Text as [`escape`] has found it.
+pub(super) fn unescape(text: &str) -> String {
+    let marks = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&#39;", "'"), ("&amp;", "&")];
+    marks.iter().fold(text.to_owned(), |text, (said, meant)| text.replace(said, meant))
+}
+
 /// A length [px] to a hundredth, without idle zeros.
 pub(super) fn number(length: f64) -> String {
     let text = format!("{length:.2}");
@@ -34,5 +40,6 @@ mod tests {
         let shown = [3.0, 2.5, -0.001, 100.0, 774.5500000000001].map(number);
         assert_eq!(shown, ["3", "2.5", "0", "100", "774.55"]);
         assert_eq!(escape("a\u{7}<b> & \"c\"\n"), "a &lt;b&gt; &amp; &quot;c&quot;\n");
+        assert_eq!(unescape(&escape("a <b> & \"c\" 'd' &lt;")), "a <b> & \"c\" 'd' &lt;");
     }
 }
