@@ -10,8 +10,10 @@ const range = (from, to, step) => {
   return `{ ${[...part("from", from), ...part("to", to), `step = "${step} km/h"`].join(", ")} }`;
 };
 
-function material({ shear_speed, poisson, density, damping }) {
-  return line("shear_speed", shear_speed) + line("poisson", poisson) + line("density", density) + line("damping_ratio", ratio(damping));
+const words = (key, text) => (text ? `${key} = ${JSON.stringify(text)}\n` : "");
+
+function material({ name, shear_speed, poisson, density, damping }) {
+  return words("name", name) + line("shear_speed", shear_speed) + line("poisson", poisson) + line("density", density) + line("damping_ratio", ratio(damping));
 }
 
 // 3 % is 0.03, and what is no number stays as it is
@@ -51,13 +53,15 @@ const STUDIES = {
 function caseText(state, studies, coarse = false) {
   const named = (key, part) => (part.name ? `${key} = "${part.name}"\n` : "");
   const single = !state.train.toml && String(state.count).trim() === "1";
-  return `title = ${JSON.stringify(state.title)}\n` + (state.source ? `source = ${JSON.stringify(state.source)}\n` : "") +
+  // what was changed is not what the source says
+  const said = (text) => text && (state.edited ? `changed from: ${text}` : text);
+  return words("title", state.title + (state.edited ? ", changed" : "")) + words("source", said(state.source)) +
     named("track", state.track) + (single ? named("train", state.train) : "") + "\n" +
     [soil(state), state.track.toml ?? "", train(state), ...studies.map((study) => STUDIES[study](state, coarse))].filter(Boolean).join("\n");
 }
 
 // A material of the program as fields show it.
-const shownMaterial = (m) => ({ shear_speed: m.shear_speed, poisson: m.poisson, density: m.density, damping: tidy(100 * m.damping_ratio) });
+const shownMaterial = (m) => ({ name: m.name, shear_speed: m.shear_speed, poisson: m.poisson, density: m.density, damping: tidy(100 * m.damping_ratio) });
 const tidy = (value) => Number(value.toPrecision(12));
 
 function profileState({ layers, half_space }) {

@@ -61,7 +61,7 @@ class Layers {
     const name = `Layer ${i + 1}`, path = `soil.layer[${i}]`;
     const handle = node("button", { type: "button", class: "handle", "aria-label": `${name}: move with the arrow keys, or drag`, title: "drag, or arrow keys" }, "⠿");
     const remove = node("button", { type: "button", class: "remove", "aria-label": `Delete layer ${i + 1}`, title: "delete" }, "✕");
-    const card = node("li", { class: "layer", "data-keys": path }, node("div", { class: "head" }, handle, node("b", {}, name), remove),
+    const card = node("li", { class: "layer", "data-keys": path }, node("div", { class: "head" }, handle, node("b", {}, layer.name ? `${name}: ${layer.name}` : name), remove),
       ...materialFields(name, path, layer, ["thickness", "poisson", "density", "damping"], this.changed));
     remove.onclick = () => this.edit((layers) => layers.splice(i, 1));
     handle.onkeydown = (event) => {
@@ -104,7 +104,7 @@ class Layers {
   add() {
     const { layers, base } = this.ground;
     const like = layers.at(-1) ?? (base === "rigid" ? {} : base);
-    this.edit(() => layers.push({ thickness: 2, shear_speed: 100, poisson: 0.35, density: 1800, damping: 3, ...like }));
+    this.edit(() => layers.push({ thickness: 2, shear_speed: 100, poisson: 0.35, density: 1800, damping: 3, ...like, name: undefined }));
     this.list.lastElementChild.querySelector("input").focus();
   }
 

@@ -5,7 +5,11 @@ const REST = 150; // ms without a change after which the full answers are comput
 const SLOW = ["critical_speed", "track_response", "dispersion", "contour"];
 
 const state = { title: "My ground", source: "", layers: [], base: "rigid", track: {}, train: {}, count: "1", speed: "250", from: "36", to: "720" };
-const layers = new Layers(get("layers"), get("base"), changed);
+const layers = new Layers(get("layers"), get("base"), () => {
+  state.edited = true;
+  get("soils").value = "";
+  changed();
+});
 let asking, resting;
 // what stands on the page: of each study the case text and its full answer; the case text of the coarse curve, and its time [ms]
 const shown = { took: 0 };
@@ -140,7 +144,8 @@ function open(text, name) {
       return rest();
     }
     const exact = (v) => String(tidy(KMH * v));
-    Object.assign(state, profileState(file.soil), { title: file.title, source: file.source ?? "", track: file.track, train: file.train, count: "1" });
+    Object.assign(state, profileState(file.soil), { title: file.title, source: file.source ?? "", track: file.track, train: file.train, count: "1", edited: false });
+    get("soils").value = "";
     if (file.speeds) [state.from, state.to] = file.speeds.map(exact);
     if (file.speed) state.speed = exact(file.speed);
     const left = file.left.length ? ` The page has no place for ${file.left.join(", ")}, and leaves it out.` : "";
@@ -163,7 +168,7 @@ function listen(library) {
   get("version").textContent = library.version;
   const soilOf = (name) => library.soils.find((soil) => soil.name === name);
   const take = (name) => {
-    Object.assign(state, profileState(soilOf(name).soil), { title: soilOf(name).title, source: soilOf(name).source });
+    Object.assign(state, profileState(soilOf(name).soil), { title: soilOf(name).title, source: soilOf(name).source, edited: false });
     // critical speeds lie at 1.1 to 1.4 times the slowest shear wave speed in all published cases
     const slowest = Math.min(...[...state.layers, state.base].map((m) => m.shear_speed ?? Infinity));
     state.to = String(Math.min(720, 20 * Math.round((2.5 * KMH * slowest) / 20)));

@@ -3,7 +3,7 @@
 use crate::reply::failed;
 use groundwave::case::{Case, Tables};
 use groundwave::study::Study;
-use groundwave::{Base, Material, Profile};
+use groundwave::{Base, Ground, Material};
 use serde_json::{Value, json};
 
 /// Keys of a case that the page takes; of studies it takes the speeds.
@@ -44,11 +44,14 @@ pub fn told(case: &Case) -> Value {
     }
     let left = file.keys().filter(|key| !TAKEN.contains(&key.as_str())).cloned();
     let solver = file["soil"].as_table().filter(|soil| soil.contains_key("solver"));
-    let left: Vec<String> = left.chain(solver.map(|_| "soil.solver".to_owned())).collect();
+    let left = left.chain(solver.map(|_| "soil.solver".to_owned()));
+    let apart = ground.profile.materials().any(|m| m.loss_factor_pressure() != m.loss_factor());
+    let left: Vec<String> =
+        left.chain(apart.then(|| "the loss factors of pressure waves".to_owned())).collect();
     let (speeds, speed) = speeds(case);
     json!({
         "title": case.title, "source": case.source,
-        "soil": profile(&ground.profile), "track": part("track"), "train": part("train"),
+        "soil": ground_of(ground), "track": part("track"), "train": part("train"),
         "speeds": speeds, "speed": speed, "left": left,
     })
 }
@@ -76,29 +79,26 @@ fn speeds(case: &Case) -> (Option<[f64; 2]>, Option<f64>) {
 pub fn library_soil(name: &str) -> Value {
     let none = |_: &str| Err("a soil of the library names no file".to_owned());
     let tables = Tables::parse(&format!("soil = \"{name}\""), name, &none);
-    tables.ok().and_then(|tables| tables.ground).map_or(Value::Null, |ground| profile(&ground.profile))
+    tables.ok().and_then(|tables| tables.ground).map_or(Value::Null, |ground| ground_of(&ground))
 }
 
-fn profile(profile: &Profile) -> Value {
-    let layers: Vec<Value> = profile
-        .layers()
-        .iter()
-        .map(|layer| {
-            let mut told = material(&layer.material);
-            told["thickness"] = layer.thickness.into();
-            told
-        })
-        .collect();
-    let base = match profile.base() {
-        Base::HalfSpace(base) => material(&base),
-        Base::Rigid => Value::Null,
+/// Layers and base, with their names.
+fn ground_of(ground: &Ground) -> Value {
+    let names = ground.names.iter().cloned().chain(std::iter::repeat(None));
+    let mut told: Vec<Value> = ground.profile.materials().zip(names).map(material).collect();
+    let half_space = match ground.profile.base() {
+        Base::HalfSpace(_) => told.pop(),
+        Base::Rigid => None,
     };
-    json!({ "layers": layers, "half_space": base })
+    for (told, layer) in told.iter_mut().zip(ground.profile.layers()) {
+        told["thickness"] = layer.thickness.into();
+    }
+    json!({ "layers": told, "half_space": half_space })
 }
 
-fn material(material: &Material) -> Value {
+fn material((material, name): (&Material, Option<String>)) -> Value {
     json!({
-        "shear_speed": material.c_s(), "poisson": material.poisson(), "density": material.density(),
+        "name": name, "shear_speed": material.c_s(), "poisson": material.poisson(), "density": material.density(),
         "damping_ratio": 0.5 * material.loss_factor(),
     })
 }
