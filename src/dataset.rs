@@ -170,9 +170,9 @@ impl Variable {
 
 /// Everything a run leaves in `results.h5`.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Dataset {
+pub struct Dataset<'a> {
     /// Root attributes: version, case text, solver settings, concerns, Conventions.
     pub attributes: Vec<(String, Attribute)>,
     /// One group per study.
-    pub groups: Vec<Group>,
+    pub groups: Vec<&'a Group>,
 }

@@ -174,7 +174,7 @@ fn write_arrays(
     options: &RunOptions,
     folder: &Path,
 ) -> Result<(), RunError> {
-    let groups = outcomes.iter().map(|(_, o)| o.group.clone()).collect();
+    let groups = outcomes.iter().map(|(_, o)| &o.group).collect();
     hdf5::write(&Dataset { attributes, groups }, &folder.join(name))?;
     for (_, outcome) in outcomes {
         csv::write(&outcome.group, folder, options.csv_maps)?;

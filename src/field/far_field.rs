@@ -19,6 +19,7 @@ use crate::soil::{Base, Layer, Material, PreparedGround, Profile, SoilError, Sol
 use crate::soil::{GroundSolver, SurfaceCompliance};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
+use std::iter::successors;
 
 /// Directions in which g(θ) is sampled; enough for a Mach cone of η = 0.02.
 const DIRECTIONS: usize = 1024;
@@ -106,8 +107,10 @@ impl FarField {
                 // one row before the origin, mirrored, for the cubic
                 let t = ((row as f64 - 1.0) / DENSITY).abs().sinh();
                 let t = t / (1.0 + t.hypot(1.0));
-                let terms =
-                    self.harmonics.iter().enumerate().map(|(i, c)| c * t.powi(order(i) as i32)).collect();
+                // t^n
+                let powers: Vec<f64> =
+                    successors(Some(1.0), |power| Some(power * t)).take(DIRECTIONS / 2 + 1).collect();
+                let terms = self.harmonics.iter().enumerate().map(|(i, c)| c * powers[order(i)]).collect();
                 from_harmonics(terms).into_iter().map(|z| z.re)
             })
             .collect();

@@ -8,14 +8,15 @@
 
 use super::far_field::{FarField, component};
 use super::ground_grid::{Grid, GroundLoad, Quantity, Window};
+use super::images::Images;
+use super::mirrored::Mirrored;
 use crate::math::complex::I;
-use crate::math::fourier::inverse_2d;
-use crate::soil::{
-    Base, GroundSolver, Material, PreparedGround, Profile, SoilError, Solver, SurfaceCompliance,
-};
+use crate::math::fourier::{Wanted, inverse_2d};
+use crate::soil::{Base, GroundSolver, Material, PreparedGround, Profile, SoilError, Solver};
 use crate::vehicle::Train;
-use ndarray::Array2;
+use ndarray::{Array2, ArrayView, ArrayView1, Dimension};
 use num_complex::Complex64;
+use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
 use thiserror::Error;
 
@@ -78,28 +79,51 @@ pub enum GroundFieldError {
 const SLOWEST: f64 = 5.0;
 const THIN: f64 = 8.0;
 
-/// Surface compliances at all `k`, which ascend; where the vertical one is enough the others are left out, and most of it is its tail
-/// A/k + C/k³ + E/k⁵, E taken where the tail begins.
-fn responses(ground: &dyn PreparedGround, k: &[f64], vertical_only: bool) -> Vec<SurfaceCompliance> {
-    if !vertical_only {
-        return ground.batch(k);
+/// Compliances of the surface to a vertical force at many k: the vertical one, and the horizontal one where it is wanted.
+struct Responses {
+    u_zz: Vec<Complex64>,
+    u_xz: Vec<Complex64>,
+}
+
+impl Responses {
+    /// At all `k`, which ascend; where the vertical one is enough most of it is its tail A/k + C/k³ + E/k⁵, E taken where the
+    /// tail begins.
+    fn new(ground: &dyn PreparedGround, k: &[f64], vertical_only: bool) -> Self {
+        if !vertical_only {
+            let (u_zz, u_xz) = ground.batch(k).into_iter().map(|g| (g.u_zz, g.u_xz)).unzip();
+            return Self { u_zz, u_xz };
+        }
+        let outline = ground.outline();
+        let slowest = SLOWEST * outline.wavenumbers.last().copied().unwrap_or(0.0);
+        let from = slowest.max(outline.top_thickness.map_or(0.0, |h| THIN / h));
+        // the first of the tail stands for its last term
+        let near = (k.partition_point(|k| *k < from) + 1).min(k.len());
+        let mut u_zz = Vec::with_capacity(k.len());
+        u_zz.extend(ground.u_zz_many(&k[..near]));
+        if let (Some(k0), Some(g0)) = (k[..near].last(), u_zz.last()) {
+            let (a, c) = outline.tail;
+            let last = ((g0 * k0 - a) * k0 * k0 - c) * k0 * k0;
+            u_zz.extend(k[near..].iter().map(|k| {
+                let inverse = 1.0 / (k * k);
+                (a + (c + last * inverse) * inverse) / k
+            }));
+        }
+        Self { u_zz, u_xz: Vec::new() }
     }
-    let outline = ground.outline();
-    let slowest = SLOWEST * outline.wavenumbers.last().copied().unwrap_or(0.0);
-    let from = slowest.max(outline.top_thickness.map_or(0.0, |h| THIN / h));
-    // the first of the tail stands for its last term
-    let near = (k.partition_point(|k| *k < from) + 1).min(k.len());
-    let mut u_zz = ground.u_zz_many(&k[..near]);
-    if let (Some(k0), Some(g0)) = (k[..near].last(), u_zz.last()) {
-        let (a, c) = outline.tail;
-        let last = ((g0 * k0 - a) * k0 * k0 - c) * k0 * k0;
-        u_zz.extend(k[near..].iter().map(|k| {
-            let inverse = 1.0 / (k * k);
-            (a + (c + last * inverse) * inverse) / k
-        }));
+
+    /// `quantity` of the plane wave number `place`, (k cos θ, k sin θ).
+    fn component(&self, quantity: Quantity, place: usize, cos: f64, sin: f64) -> Complex64 {
+        match quantity {
+            Quantity::Vertical | Quantity::VerticalVelocity => self.u_zz[place],
+            Quantity::Along => self.u_xz[place] * cos,
+            Quantity::Across => self.u_xz[place] * sin,
+        }
     }
-    let zero = Complex64::ZERO;
-    u_zz.into_iter().map(|u_zz| SurfaceCompliance { u_zz, u_xx: zero, u_xz: zero, u_yy: zero }).collect()
+}
+
+/// The largest modulus; 0 of none.
+fn largest<D: Dimension>(values: ArrayView<f64, D>) -> f64 {
+    values.iter().fold(0.0, |largest, value| largest.max(value.abs()))
 }
 
 /// A profile of one material.
@@ -139,21 +163,39 @@ impl GroundField<'_> {
             let beta_x = grid.x.beta(n);
             self.row(beta_x, (grid, &across), quantities, blend, out)
         };
-        let whole = (grid.y.period_count, grid.x.period_count);
-        let periodic = inverse_2d(grid.x, grid.y, grid.rows, quantities.len(), whole, spectrum)?;
+        // one of two lines that mirror each other; the track's axis, the strip's edge and the border of the period for the errors
+        let mirrored = Mirrored::new(&y);
+        let distinct = mirrored.first();
+        let edge = self.load.half_width();
+        let others = [0.0, edge, 0.5 * grid.y.period()].map(|y| grid.line(y));
+        let lines: Vec<usize> = distinct.iter().copied().chain(others).collect();
+        let wanted = Wanted { thinning: grid.thinning, lines: &lines };
+        let fields = inverse_2d(grid.x, grid.y, grid.rows, quantities.len(), wanted, spectrum)?;
 
+        let axles = self.axles();
+        let middle = -0.5 * self.train.length();
+        let border = grid.column(middle + 0.5 * grid.x.period());
         let mut values = Vec::with_capacity(quantities.len());
         let (mut wrap_around, mut aliasing) = (0.0f64, 0.0f64);
-        for (i, field) in periodic.iter().enumerate() {
-            let mut value = Array2::from_shape_fn((y.len(), x.len()), |(row, column)| {
-                field[(row * grid.thinning.0, column * grid.thinning.1)]
-            });
-            self.add_images(quantities[i], &mut value, (&x, &y), blend, window.spacing)?;
-            let largest = value.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-            wrap_around = wrap_around.max(grid.remainder(field, self.train.length()) / largest);
+        for (mut field, &quantity) in fields.into_iter().zip(quantities) {
+            // midway between the train and its images
+            let remainder = largest(field.column(border)).max(largest(field.row(lines.len() - 1)));
+            let along_track = field.outer_iter().skip(distinct.len()).map(largest).fold(0.0, f64::max);
+            let images = self.images(quantity, (&x, &y), blend, window.spacing)?;
+            let columns = field.ncols();
+            let lines = field.as_slice_mut().unwrap_or(&mut []).par_chunks_mut(columns);
+            lines.zip(&distinct).for_each(|(line, &j)| images.add(&mut line[..x.len()], &x, y[j], &axles));
+            let mut value = Array2::zeros((y.len(), x.len()));
+            for (j, mut row) in value.outer_iter_mut().enumerate() {
+                let place = mirrored.places[j];
+                let turned = quantity == Quantity::Across && y[j] * y[distinct[place]] < 0.0;
+                let sign = if turned { -1.0 } else { 1.0 };
+                row.iter_mut().zip(field.row(place)).for_each(|(value, u)| *value = sign * u);
+            }
+            let in_window = largest(value.view());
+            wrap_around = wrap_around.max(remainder / in_window);
             // the truncated part stands at the edges of the strip, be they in the window or not
-            let anywhere = field.iter().fold(largest, |m, v| m.max(v.abs()));
-            aliasing = aliasing.max(self.beyond(quantities[i], grid)? / anywhere);
+            aliasing = aliasing.max(self.beyond(quantity, grid)? / in_window.max(along_track));
             values.push(value);
         }
         Ok(Field {
@@ -218,32 +260,31 @@ impl GroundField<'_> {
         let vertical_only = quantities.iter().all(|q| q.is_vertical());
         // the origin itself: the mean over a small circle stands for it
         let first = usize::from(beta_x == 0.0);
-        let k: Vec<f64> = (first..=count / 2).map(|m| beta_x.hypot(grid.y.beta(m))).collect();
-        let all = responses(ground.as_ref(), &k, vertical_only);
+        let beta_y: Vec<f64> = (first..=count / 2).map(|m| grid.y.beta(m)).collect();
+        let k: Vec<f64> = beta_y.iter().map(|beta_y| (beta_x * beta_x + beta_y * beta_y).sqrt()).collect();
+        let all = Responses::new(ground.as_ref(), &k, vertical_only);
         // e^{−kℓ} above rounding
         let felt = k.partition_point(|k| k * blend < 39.0);
-        let far = base.map(|base| responses(base.as_ref(), &k[..felt], vertical_only));
-        let near = top.map(|top| responses(top.as_ref(), &k, vertical_only));
-        for (place, (g, k)) in all.iter().zip(&k).enumerate() {
-            let (m, beta_y) = (first + place, grid.y.beta(first + place));
-            let fade = if place < felt { (-k * blend).exp() } else { 0.0 };
-            let load = force * across[m];
-            for (i, &quantity) in quantities.iter().enumerate() {
-                // mirror in y: β_y → −β_y turns sin θ
-                let cos = beta_x / k;
-                for (index, sin) in [(m, beta_y / k), ((count - m) % count, -beta_y / k)] {
-                    let mut value = load * component(quantity, g, cos, sin);
-                    if let Some(far) = far.as_ref().and_then(|far| far.get(place)) {
-                        value -= phases * fade * component(quantity, far, cos, sin);
-                    }
-                    if let Some(near) = &near {
-                        value -= phases * (1.0 - fade) * component(quantity, &near[place], cos, sin);
-                    }
-                    if quantity == Quantity::VerticalVelocity {
-                        value *= I * omega;
-                    }
-                    out[i][index] = value;
+        let far = base.map(|base| Responses::new(base.as_ref(), &k[..felt], vertical_only));
+        let near = top.map(|top| Responses::new(top.as_ref(), &k, vertical_only));
+        for (out, &quantity) in out.iter_mut().zip(quantities) {
+            let rate = if quantity == Quantity::VerticalVelocity { I * omega } else { Complex64::ONE };
+            let (force, phases) = (rate * force, rate * phases);
+            // odd in β_y, as sin θ
+            let mirror = if quantity == Quantity::Across { -1.0 } else { 1.0 };
+            for (place, k) in k.iter().enumerate() {
+                let (cos, sin) = (beta_x / k, beta_y[place] / k);
+                let m = first + place;
+                let mut value = force * across[m] * all.component(quantity, place, cos, sin);
+                let fade = if place < felt { (-k * blend).exp() } else { 0.0 };
+                if let Some(far) = far.as_ref().filter(|_| place < felt) {
+                    value -= phases * fade * far.component(quantity, place, cos, sin);
                 }
+                if let Some(near) = &near {
+                    value -= phases * (1.0 - fade) * near.component(quantity, place, cos, sin);
+                }
+                out[(count - m) % count] = mirror * value;
+                out[m] = value;
             }
         }
         for (out, &quantity) in out.iter_mut().zip(quantities) {
@@ -288,20 +329,21 @@ impl GroundField<'_> {
         Ok(sum / POINTS as f64)
     }
 
-    /// Adds the closed-form images of every axle.
-    fn add_images(
+    /// Place x′ [m] and load [N] of every axle.
+    fn axles(&self) -> Vec<(f64, f64)> {
+        let lead = self.train.axles()[0].position;
+        self.train.axles().iter().map(|axle| (lead - axle.position, axle.load)).collect()
+    }
+
+    /// The closed-form images of a unit load.
+    fn images(
         &self,
         quantity: Quantity,
-        values: &mut Array2<f64>,
         (x, y): (&[f64], &[f64]),
         blend: f64,
         spacing: f64,
-    ) -> Result<(), SoilError> {
-        use rayon::prelude::*;
-        let lead = self.train.axles()[0].position;
-        let columns = x.len();
-        let largest = |side: &[f64]| side.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-        let reach = (largest(x) + self.train.length()).hypot(largest(y));
+    ) -> Result<Images, SoilError> {
+        let reach = (largest(ArrayView1::from(x)) + self.train.length()).hypot(largest(ArrayView1::from(y)));
         let form = |material| FarField::new(&material, self.solver, self.speed, quantity);
         let far = self.base().map(form).transpose()?.map(|far| far.table(blend, reach));
         // ℓ = 0: the table would have no innermost radius; the field is of degree −1 in r
@@ -309,41 +351,7 @@ impl GroundField<'_> {
             let table = near.table(blend, reach);
             (near, table)
         });
-        let image = |x: f64, y: f64| {
-            let mut sum = far.as_ref().map_or(0.0, |far| far.at(x, y));
-            if let Some((near, table)) = &near {
-                // at the load itself the mean of 1/r over one cell: 4 ln(1 + √2)/spacing
-                let at_load = x.hypot(y) < 1e-6 * spacing;
-                let point = if at_load {
-                    near.mean() * 4.0 * (1.0 + 2.0f64.sqrt()).ln() / (TAU * spacing)
-                } else {
-                    near.image(x, y, 0.0)
-                };
-                sum += point - table.at(x, y);
-            }
-            sum
-        };
-        // v_z = −v ∂u_z/∂x′, over a step in which the images are smooth
-        let velocity = |x: f64, y: f64| {
-            let r = x.hypot(y);
-            // at the load itself the mean over one cell
-            let step = if r < 1e-6 * spacing { 0.5 * spacing } else { 0.02 * r.min(blend) };
-            -self.speed * (image(x + step, y) - image(x - step, y)) / (2.0 * step)
-        };
-        let Some(slice) = values.as_slice_mut() else { return Ok(()) };
-        slice.par_chunks_mut(columns).zip(y).for_each(|(line, &y)| {
-            for (value, &x) in line.iter_mut().zip(x) {
-                for axle in self.train.axles() {
-                    let x = x + axle.position - lead;
-                    let image = match quantity {
-                        Quantity::VerticalVelocity => velocity(x, y),
-                        _ => image(x, y),
-                    };
-                    *value += axle.load * image;
-                }
-            }
-        });
-        Ok(())
+        Ok(Images { far, near, quantity, speed: self.speed, blend, spacing })
     }
 
     /// (1/4π²)·2∬ beyond |β_y| = π/Δy of a spectrum falling like β_y⁻²: 2 β_N Σ |ũ(β_x, β_N)| Δβ_x, for both signs of β_x.

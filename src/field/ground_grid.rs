@@ -3,7 +3,6 @@
 use crate::math::decimal::arithmetic;
 use crate::math::fourier::Axis;
 use crate::soil::strip::sinc;
-use ndarray::Array2;
 use num_complex::Complex64;
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -52,10 +51,19 @@ pub struct Window {
 }
 
 impl Window {
+    /// How many positions there are along a side.
+    fn count(&self, side: (f64, f64)) -> usize {
+        ((side.1 - side.0) / self.spacing + 1e-9).floor() as usize + 1
+    }
+
+    /// How many columns and rows there are.
+    pub fn counts(&self) -> (usize, usize) {
+        (self.count(self.x), self.count(self.y))
+    }
+
     /// Positions along one side.
     fn positions(&self, side: (f64, f64)) -> Vec<f64> {
-        let count = ((side.1 - side.0) / self.spacing + 1e-9).floor() as usize + 1;
-        arithmetic(side.0, self.spacing, count)
+        arithmetic(side.0, self.spacing, self.count(side))
     }
 
     /// x′ of the columns [m].
@@ -86,6 +94,14 @@ pub enum GroundLoad<'a> {
 }
 
 impl GroundLoad<'_> {
+    /// b [m]; 0 of a point.
+    pub(super) fn half_width(&self) -> f64 {
+        match self {
+            Self::Strip { half_width, .. } => *half_width,
+            Self::Point => 0.0,
+        }
+    }
+
     /// Spectrum across the track at `beta_y` [rad/m] for a unit load.
     pub(super) fn across(&self, beta_y: f64) -> f64 {
         match self {
@@ -122,33 +138,35 @@ impl Grid {
         let along = if beta_max.is_finite() { along } else { 1.0 };
         let reach_x = (window.x.1.max(0.0) - window.x.0.min(-length)) + length;
         let reach_y = 2.0 * window.y.0.abs().max(window.y.1.abs());
-        let x = Axis::new(window.x.0, window.spacing / along, reach_x + clearance);
-        let y = Axis::new(window.y.0, window.spacing / across, reach_y + clearance);
+        let thinning = (across as usize, along as usize);
+        let x = Axis::new(window.x.0, window.spacing, reach_x + clearance).refined(thinning.1);
+        let y = Axis::new(window.y.0, window.spacing, reach_y + clearance).refined(thinning.0);
         let rows = ((beta_max / x.beta_step()).ceil() + 1.0).min((x.period_count / 2 + 1) as f64) as usize;
-        Self { x, y, thinning: (across as usize, along as usize), rows }
+        Self { x, y, thinning, rows }
     }
 
-    /// Memory of the transform for `fields` quantities [bytes].
-    pub fn bytes(&self, fields: usize) -> u64 {
-        let columns = self.y.period_count as f64;
-        let spectrum = 16.0 * self.rows as f64 * columns;
-        let result = 8.0 * self.x.period_count as f64 * columns;
+    /// Memory of one transform for `fields` quantities and of their `values` (x, y) at so many `speeds` [bytes].
+    pub fn bytes(&self, fields: usize, values: (usize, usize), speeds: usize) -> u64 {
+        let columns = self.x.period_count / self.thinning.1;
+        let line = 16.0 * self.rows as f64 + 8.0 * columns as f64;
+        let kept = 8.0 * values.0 as f64 * speeds as f64;
         // a conversion from f64 stops at the largest u64
-        (fields as f64 * (spectrum + result)) as u64
+        (fields as f64 * values.1 as f64 * (line + kept)) as u64
     }
 
-    /// Largest remainder of a whole `field` midway between a train of `length` [m] and its images: half a period from it
-    /// along x, and along y.
-    pub(super) fn remainder(&self, field: &Array2<f64>, length: f64) -> f64 {
-        let middle = -0.5 * length;
-        let index = |axis: &Axis, position: f64| {
-            (((position - axis.from) / axis.step).round() as i64).rem_euclid(axis.period_count as i64)
-                as usize
-        };
-        let column = index(&self.x, middle + 0.5 * self.x.period());
-        let row = index(&self.y, 0.5 * self.y.period());
-        let along = field.column(column).iter().fold(0.0f64, |m, v| m.max(v.abs()));
-        let across = field.row(row).iter().fold(0.0f64, |m, v| m.max(v.abs()));
-        along.max(across)
+    /// Number of the kept column next to `x` [m], which may lie in another period.
+    pub(super) fn column(&self, x: f64) -> usize {
+        kept(&self.x, self.thinning.1, x)
     }
+
+    /// Number of the kept line next to `y` [m].
+    pub(super) fn line(&self, y: f64) -> usize {
+        kept(&self.y, self.thinning.0, y)
+    }
+}
+
+/// Number of the position next to `position` [m] among every `thinning`-th of an axis.
+fn kept(axis: &Axis, thinning: usize, position: f64) -> usize {
+    let number = (position - axis.from) / (axis.step * thinning as f64);
+    (number.round() as i64).rem_euclid((axis.period_count / thinning) as i64) as usize
 }

@@ -6,6 +6,8 @@ mod far_field;
 mod ground_field;
 mod ground_grid;
 mod ground_state;
+mod images;
+mod mirrored;
 mod pass;
 mod pass_energy;
 mod pass_history;

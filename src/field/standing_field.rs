@@ -9,6 +9,7 @@
 //! cos(qy) everywhere between; the same nodes then serve all points. There is no period, hence no wrap-around however light
 //! the damping. The field is even in x and in y.
 
+use super::mirrored::Mirrored;
 use super::transfer::Transfer;
 use crate::math::complex::I;
 use crate::math::interpolation::Interpolant;
@@ -35,27 +36,6 @@ pub struct StandingField {
     pub values: Array2<Complex64>,
     /// Estimated error of the integrals relative to the largest value.
     pub error: f64,
-}
-
-/// Positions that mirror each other need one answer.
-struct Mirrored {
-    /// The different |position|, ascending.
-    distances: Vec<f64>,
-    /// Which of them each position has.
-    places: Vec<usize>,
-}
-
-impl Mirrored {
-    fn new(positions: &[f64]) -> Self {
-        let mut distances: Vec<f64> = positions.iter().map(|p| p.abs()).collect();
-        distances.sort_by(f64::total_cmp);
-        // −20 + 41 × 0.5 is not 0.5 to the last digit
-        let same = 1e-9 * distances.last().copied().unwrap_or(0.0);
-        distances.dedup_by(|a, b| *a - *b <= same);
-        let place = |p: &f64| distances.partition_point(|d| *d < p.abs() - 2.0 * same);
-        let places = positions.iter().map(place).collect();
-        Self { distances, places }
-    }
 }
 
 /// How far h reaches in β.
@@ -212,21 +192,5 @@ impl TrackOnFoundation<'_> {
             return Err(InteractionError::Diverges { speed: 0.0, error });
         }
         Ok(StandingField { values, error })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Mirrored;
-
-    #[test]
-    fn mirrored_positions_are_one() {
-        let positions: Vec<f64> = (0..9).map(|i| -0.6 + 0.2 * f64::from(i)).collect();
-        let mirrored = Mirrored::new(&positions);
-        assert_eq!(mirrored.distances.len(), 6);
-        assert_eq!(mirrored.places, [3, 2, 1, 0, 1, 2, 3, 4, 5]);
-        // none mirrored
-        let mirrored = Mirrored::new(&[-0.3, 0.1, 0.5]);
-        assert_eq!(mirrored.places, [1, 0, 2]);
     }
 }

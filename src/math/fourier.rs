@@ -11,6 +11,9 @@ use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
+/// Lines that are transformed side by side.
+const ABREAST: usize = 8;
+
 /// A uniform axis of positions with the wavenumbers of its transform.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis {
@@ -26,6 +29,11 @@ impl Axis {
     /// An axis of positions from `from` with spacing `step`, whose period is at least `period` [m].
     pub fn new(from: f64, step: f64, period: f64) -> Self {
         Self { from, step, period_count: fast_size((period / step).ceil().max(2.0) as usize) }
+    }
+
+    /// The same period with `finer` samples to one of these.
+    pub fn refined(self, finer: usize) -> Self {
+        Self { step: self.step / finer as f64, period_count: self.period_count * finer, ..self }
     }
 
     /// L [m]
@@ -75,11 +83,20 @@ pub fn fast_size(least: usize) -> usize {
     best
 }
 
-/// Real fields u(y, x) at the first `count` (y, x) positions of two axes, one for each of the spectra that `row` fills.
+/// The positions of a field that are wanted.
+#[derive(Clone, Copy, Debug)]
+pub struct Wanted<'a> {
+    /// Every so-manieth position of the axes (y, x), which their `period_count` is a multiple of.
+    pub thinning: (usize, usize),
+    /// Which of these y, in any order.
+    pub lines: &'a [usize],
+}
+
+/// Real fields u(y, x), one for each of the spectra that `row` fills, at the `wanted` y and all x that the thinning leaves.
 ///
-/// `row(n, out)` writes ũ(β_x, β_y) of β_x number `n` (0 ≤ n < `rows`) into `out[field]`, slices over all β_y numbers; rows from
-/// `rows` on are zero, and negative β_x follow from ũ(−β_x, −β_y) = conj ũ. Rows are filled in parallel; memory
-/// is fields × (rows × N_y complex + count real).
+/// `row(n, out)` writes ũ(β_x, β_y) of β_x number `n` (0 ≤ n < `rows`) into `out[field]`, over all β_y numbers, whatever
+/// stands there; rows from `rows` on are zero, and negative β_x follow from ũ(−β_x, −β_y) = conj ũ. Rows are filled in parallel; memory
+/// is fields × lines × (rows complex + x real).
 ///
 /// # Errors
 /// The first one of `row`.
@@ -88,49 +105,66 @@ pub fn inverse_2d<E: Send>(
     y: Axis,
     rows: usize,
     fields: usize,
-    count: (usize, usize),
+    wanted: Wanted,
     row: impl Fn(usize, &mut [Vec<Complex64>]) -> Result<(), E> + Sync,
 ) -> Result<Vec<Array2<f64>>, E> {
-    let (n_x, n_y) = (x.period_count, y.period_count);
-    let rows = rows.min(n_x / 2 + 1);
-    let (count_y, count_x) = (count.0.min(n_y), count.1.min(n_x));
-    let along_y = plan(n_y, FftDirection::Inverse);
+    let n_y = y.period_count;
+    let rows = rows.min(x.period_count / 2 + 1);
+    // of every m-th position the spectra N/m apart are one: Σ_q ũ(n + qN/m)
+    let (less_y, n_x) = (n_y / wanted.thinning.0, x.period_count / wanted.thinning.1);
+    let along_y = plan(less_y, FftDirection::Inverse);
     let along_x = realfft::RealFftPlanner::new().plan_fft_inverse(n_x);
     let scale = x.beta_step() * y.beta_step() / (4.0 * PI * PI);
     let shift_y: Vec<Complex64> = (0..n_y).map(|n| y.shift(n)).collect();
+    let buffers = || vec![vec![Complex64::ZERO; n_y]; fields];
     // one β_x after another in parallel: ũ(β_x, β_y) → (β_x, y), the wanted y only
     let half: Vec<Vec<Vec<Complex64>>> = (0..rows)
         .into_par_iter()
-        .map(|n| {
-            let mut out = vec![vec![Complex64::ZERO; n_y]; fields];
-            row(n, &mut out)?;
+        .map_init(buffers, |out, n| {
+            row(n, out)?;
             let shift_x = x.shift(n) * scale;
-            for spectrum in &mut out {
+            let transform = |spectrum: &mut Vec<Complex64>| {
                 for (value, shift) in spectrum.iter_mut().zip(&shift_y) {
                     *value *= shift * shift_x;
                 }
-                along_y.process(spectrum);
-                spectrum.truncate(count_y);
-                spectrum.shrink_to_fit();
-            }
-            Ok(out)
+                let (folded, beyond) = spectrum.split_at_mut(less_y);
+                for alias in beyond.chunks(less_y) {
+                    folded.iter_mut().zip(alias).for_each(|(sum, value)| *sum += value);
+                }
+                along_y.process(folded);
+                wanted.lines.iter().map(|line| folded[*line]).collect()
+            };
+            Ok(out.iter_mut().map(transform).collect())
         })
         .collect::<Result<_, E>>()?;
     let fields = (0..fields)
         .map(|field| {
-            let mut result = Array2::zeros((count_y, count_x));
-            result.as_slice_mut().unwrap_or(&mut []).par_chunks_mut(count_x).enumerate().for_each_init(
-                || (along_x.make_input_vec(), along_x.make_output_vec()),
-                |(spectrum, line), (j, target)| {
-                    spectrum.fill(Complex64::ZERO);
-                    for (value, row) in spectrum.iter_mut().zip(&half) {
-                        *value = row[field][j];
+            let mut result = Array2::zeros((wanted.lines.len(), n_x));
+            // a few lines at once: their values stand side by side in every row
+            result.as_slice_mut().unwrap_or(&mut []).par_chunks_mut(ABREAST * n_x).enumerate().for_each_init(
+                || (vec![along_x.make_input_vec(); ABREAST], along_x.make_scratch_vec()),
+                |(spectra, scratch), (block, targets)| {
+                    spectra.iter_mut().for_each(|spectrum| spectrum.fill(Complex64::ZERO));
+                    for (n, row) in half.iter().enumerate() {
+                        let place = n % n_x;
+                        // its partner −β_x, where that folds into the half that is kept
+                        let partner = (n_x - place) % n_x;
+                        let folds = partner <= n_x / 2 && n > 0 && 2 * n != x.period_count;
+                        for (spectrum, value) in spectra.iter_mut().zip(&row[field][ABREAST * block..]) {
+                            if place <= n_x / 2 {
+                                spectrum[place] += value;
+                            }
+                            if folds {
+                                spectrum[partner] += value.conj();
+                            }
+                        }
                     }
-                    // a real field has real ends of its half-spectrum
-                    spectrum[0].im = 0.0;
-                    spectrum[n_x / 2].im = 0.0;
-                    if along_x.process(spectrum, line).is_ok() {
-                        target.copy_from_slice(&line[..count_x]);
+                    for (spectrum, target) in spectra.iter_mut().zip(targets.chunks_mut(n_x)) {
+                        // a real field has real ends of its half-spectrum
+                        spectrum[0].im = 0.0;
+                        spectrum[n_x / 2].im = 0.0;
+                        // never fails: the lengths are those of the plan
+                        let _ = along_x.process_with_scratch(spectrum, target, scratch);
                     }
                 },
             );
@@ -269,19 +303,28 @@ mod tests {
         // u = e^{−(x−1)²/2 − y²}, ũ = 2π/√2 · e^{−iβ_x} e^{−β_x²/2 − β_y²/4}; measured 3e-15
         let x = Axis::new(-5.0, 0.25, 30.0);
         let y = Axis::new(-3.0, 0.2, 20.0);
-        let fields = inverse_2d(x, y, usize::MAX, 1, (31, 41), |n, out| {
-            let beta_x = x.beta(n);
-            for (m, value) in out[0].iter_mut().enumerate() {
-                let beta_y = y.beta(m);
-                *value = Complex64::cis(-beta_x)
-                    * (PI * 2.0f64.sqrt() * (-0.5 * beta_x * beta_x - 0.25 * beta_y * beta_y).exp());
+        for (thinning, lines) in [((1, 1), vec![0, 10, 15, 30]), ((2, 3), vec![9, 0, 1, 2, 3, 4, 5, 6, 7, 8])]
+        {
+            let wanted = Wanted { thinning, lines: &lines };
+            let fields = inverse_2d(x, y, usize::MAX, 1, wanted, |n, out| {
+                let beta_x = x.beta(n);
+                for (m, value) in out[0].iter_mut().enumerate() {
+                    let beta_y = y.beta(m);
+                    *value = Complex64::cis(-beta_x)
+                        * (PI * 2.0f64.sqrt() * (-0.5 * beta_x * beta_x - 0.25 * beta_y * beta_y).exp());
+                }
+                Ok::<(), ()>(())
+            })
+            .unwrap();
+            assert_eq!(fields[0].dim(), (lines.len(), 120 / thinning.1));
+            for ((j, i), value) in fields[0].indexed_iter() {
+                let x = -5.0 + 0.25 * (i * thinning.1) as f64;
+                let y = -3.0 + 0.2 * (lines[j] * thinning.0) as f64;
+                // of the period that begins at −5 all but the last metres, where the next one begins
+                if x < 20.0 {
+                    assert!((value - (-0.5 * (x - 1.0).powi(2) - y * y).exp()).abs() < 1e-13, "{x} {y}");
+                }
             }
-            Ok::<(), ()>(())
-        })
-        .unwrap();
-        for ((j, i), value) in fields[0].indexed_iter() {
-            let (x, y) = (-5.0 + 0.25 * i as f64, -3.0 + 0.2 * j as f64);
-            assert!((value - (-0.5 * (x - 1.0).powi(2) - y * y).exp()).abs() < 1e-13);
         }
     }
 

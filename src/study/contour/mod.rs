@@ -92,7 +92,8 @@ impl Contour {
     fn check_memory(&self, field: &GroundField, clearance: f64) -> Result<(), StudyError> {
         let grid = field.grid(&self.window, clearance);
         let samples = (grid.x.period_count, grid.y.period_count);
-        check_memory("contour", samples, grid.bytes(self.quantities.len()))
+        let needed = grid.bytes(self.quantities.len(), self.window.counts(), self.speeds.len());
+        check_memory("contour", samples, needed)
     }
 
     /// Fields of all speeds in the moving frame.

@@ -8,7 +8,10 @@ use crate::figure::{Figure, MapFigure};
 use crate::railway::Railway;
 use crate::study::doubts::{missed_accuracy, outruns_waves, sinks_as_no_track_does};
 use crate::study::{Answer, Outcome, speed_text, tag};
-use ndarray::{Array1, Array2, Array3, Axis};
+use ndarray::{Array1, Array2, Array3, Axis, Slice};
+
+/// Values along a side of a picture: twice its pixels.
+const DRAWN: usize = 1500;
 
 /// Words for a quantity.
 struct Words {
@@ -47,8 +50,8 @@ fn words(quantity: Quantity) -> Words {
 
 impl GroundMaps {
     /// Everything a run leaves.
-    pub(super) fn shown(&self, railway: &Railway) -> Outcome {
-        let mut outcome = Outcome { group: self.group(), ..Outcome::default() };
+    pub(super) fn shown(self, railway: &Railway) -> Outcome {
+        let mut outcome = Outcome::default();
         for (i, &quantity) in self.quantities.iter().enumerate() {
             let of_all = self.fields.iter().flat_map(|field| field.values[i].iter());
             let most = 1e3 * of_all.fold(0.0f64, |m, v| m.max(v.abs()));
@@ -58,19 +61,24 @@ impl GroundMaps {
             }
         }
         outcome.concerns = self.concerns(railway);
+        outcome.group = self.group();
         outcome
     }
 
-    fn group(&self) -> Group {
+    /// The arrays, which are large: they are moved, one field after another.
+    fn group(mut self) -> Group {
         let ahead = "position relative to the leading axle, positive ahead (moving frame)";
         let mut group = Group::new("contour")
             .coordinate("speed", &self.speeds, "m s-1", "train speed")
             .coordinate("y", &self.y, "m", "position across the track, from its centre line")
             .coordinate("x", &self.x, "m", ahead);
         for (i, &quantity) in self.quantities.iter().enumerate() {
-            let mut all = Array3::zeros((self.fields.len(), self.y.len(), self.x.len()));
-            for (n, field) in self.fields.iter().enumerate() {
-                all.index_axis_mut(Axis(0), n).assign(&field.values[i]);
+            let mut fields =
+                self.fields.iter_mut().map(|field| std::mem::take(&mut field.values[i]).insert_axis(Axis(0)));
+            let mut all = fields.next().unwrap_or_else(|| Array3::zeros((0, self.y.len(), self.x.len())));
+            for field in fields {
+                // never fails: all of them are over the same x and y
+                let _ = all.append(Axis(0), field.view());
             }
             let Words { unit, long, .. } = words(quantity);
             group = group.variable(quantity.name(), &["speed", "y", "x"], all.into_dyn(), unit, long);
@@ -90,14 +98,19 @@ impl GroundMaps {
     fn map(&self, quantity: Quantity, values: &Array2<f64>, speed: f64, largest: f64) -> (Figure, String) {
         let at = speed_text(speed);
         let Words { label, long, .. } = words(quantity);
+        let every = |step: usize| Slice::new(0, None, step as isize);
+        let steps = (values.nrows().div_ceil(DRAWN), values.ncols().div_ceil(DRAWN));
+        let mut values = values.view();
+        values.slice_axis_inplace(Axis(0), every(steps.0));
+        values.slice_axis_inplace(Axis(1), every(steps.1));
         let map = MapFigure {
             name: format!("contour_{}_{}", quantity.name(), tag(speed)),
             title: format!("Ground surface at {at}"),
             x_label: "x′ [m], travel to the right".into(),
             y_label: "y [m]".into(),
             value_label: label.into(),
-            x: self.x.clone(),
-            y: self.y.clone(),
+            x: self.x.iter().step_by(steps.1).copied().collect(),
+            y: self.y.iter().step_by(steps.0).copied().collect(),
             values: values.mapv(|v| 1e3 * v),
             // maps of the same quantity at several speeds have the same colours
             holds: Some((-largest, largest)),
