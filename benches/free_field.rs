@@ -57,6 +57,7 @@ fn application3(bencher: Bencher, receivers: usize) {
         speed: SPEED,
         receivers: (1..=receivers).map(|i| 20.0 * i as f64 / receivers as f64).collect(),
         passage_time: Some(1.0),
+        components: Default::default(),
         bands: Band::range(0.315, 80.0).unwrap(),
         roughness: Some(roughness),
         sections: None,

@@ -65,6 +65,7 @@ fn receivers(bencher: Bencher, count: usize) {
         speed: 67.5,
         receivers: (0..count).map(|i| 4.0 + 60.0 * i as f64 / count as f64).collect(),
         passage_time: Some(1.0),
+        components: Default::default(),
         bands: groundwave::assessment::Band::range(1.0, 80.0).unwrap(),
         roughness: None,
         sections: None,

@@ -15,7 +15,7 @@ use crate::rail::fem::Ends;
 use crate::rail::{DecayRate, Method};
 use crate::soil::dispersion::SurfaceWave;
 use crate::soil::{Solver, Strip};
-use crate::study::{ContactLaw, Start};
+use crate::study::{Components, ContactLaw, Start};
 use crate::track::Track;
 use crate::vehicle::{Axle, Body, Bogie, Suspension, Tread, VehicleModel, Wheelset};
 use schemars::JsonSchema;
@@ -576,6 +576,9 @@ pub struct FreeFieldInput {
     pub receivers: Vec<f64>,
     /// T [s], over which the energy of the pass is averaged; by default train length and twice the farthest receiver over v.
     pub passage_time: Option<f64>,
+    /// Directions of the motion: the vertical one by default, or all three.
+    #[serde(default)]
+    pub components: Components,
     /// Bands from the one with the lower to the one with the upper frequency [Hz]; 1 to 80 Hz by default.
     pub frequencies: Option<SpanInput>,
     /// Standards whose measures are told and whose guide values are drawn; all by default.

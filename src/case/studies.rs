@@ -124,7 +124,18 @@ fn free_field(
     let whole = input.assessment.as_ref();
     let assessment = assessment(input.guide.as_ref(), input.levels, whole, input.receivers.len())?;
     let building = building(input.transfer.as_ref(), files)?;
-    Ok(FreeField { speed, receivers, passage_time, bands, roughness: None, sections, assessment, building })
+    let components = input.components;
+    Ok(FreeField {
+        speed,
+        receivers,
+        passage_time,
+        components,
+        bands,
+        roughness: None,
+        sections,
+        assessment,
+        building,
+    })
 }
 
 /// The wheels on an irregular rail.

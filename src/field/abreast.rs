@@ -1,10 +1,11 @@
 //! The ground's surface abreast of a standing harmonic load on the rail.
 
+use super::Channel;
 use super::transfer::Transfer;
 use crate::math::quadrature::{Adaptive, Tolerance, miss};
 use crate::rail::{BETA_CAP, InteractionError, TrackOnFoundation};
 use crate::soil::strip::sinc;
-use crate::soil::{PreparedGround, Strip};
+use crate::soil::{Motion, PreparedGround, Strip};
 use num_complex::Complex64;
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
@@ -46,7 +47,8 @@ impl TrackOnFoundation<'_> {
         let mut values = Vec::new();
         for &y in receivers {
             let integrand = |beta: f64| {
-                let (receiver, miss) = transfer.receiver(beta, y, 0.1 * ACCURACY);
+                let (receiver, miss) =
+                    transfer.receiver(beta, Channel { y, motion: Motion::Vertical }, 0.1 * ACCURACY);
                 worst.set(worst.get().max(miss));
                 force(beta) * receiver
             };

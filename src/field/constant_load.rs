@@ -27,7 +27,7 @@ pub struct SlowLoad {
     /// ln f of the first value and the step between them.
     low: f64,
     step: f64,
-    /// ln |h|² of each frequency and receiver; None where nothing arrives that the integral could tell from its rounding.
+    /// ln |h|² of each frequency and channel; None where nothing arrives that the integral could tell from its rounding.
     logarithms: Vec<Vec<Option<f64>>>,
     /// Error of a value that matters over what was allowed, where it is largest: at most 1 where the accuracy was reached.
     pub worst: f64,
@@ -53,19 +53,20 @@ impl SlowLoad {
         };
         let count = 4 * pass.bands.len().max(1) + 1;
         let step = (high - low) / (count - 1) as f64;
+        let channels = pass.channels();
         let rows: Vec<Vec<Option<(Complex64, f64)>>> = (0..count)
             .into_par_iter()
             .map(|i| {
                 let omega = TAU * (low + step * i as f64).exp();
                 let ground = solver.prepare(profile, omega, &[])?;
                 let transfer = Transfer::new(stack, ground.as_ref(), strip, omega);
-                Ok(transfer.exact(omega / pass.speed, pass.receivers, WANTED, LEAST))
+                Ok(transfer.exact(omega / pass.speed, &channels, WANTED, LEAST))
             })
             .collect::<Result<_, SoilError>>()?;
         // velocities ω|h| of less than 1e-3 of a receiver's largest add 1e-6 of its energy: what is known of them does not count
         let velocity =
             |i: usize, r: usize| rows[i][r].map_or(0.0, |h| h.0.norm() * (low + step * i as f64).exp());
-        let missed = (0..pass.receivers.len()).map(|r| {
+        let missed = (0..channels.len()).map(|r| {
             let largest = (0..count).map(|i| velocity(i, r)).fold(0.0, f64::max);
             let quiet = |i: usize| velocity(i, r) < 1e-3 * largest;
             (0..count).filter(|i| !quiet(*i)).filter_map(|i| rows[i][r].map(|h| h.1)).fold(0.0, f64::max)
@@ -76,26 +77,26 @@ impl SlowLoad {
         Ok(Self { low, step, logarithms, worst })
     }
 
-    /// |h|² at receiver number `receiver` and `f` [Hz]: a cubic through four logarithms; 0 where one of them is not known.
-    fn square(&self, receiver: usize, f: f64) -> f64 {
+    /// |h|² of channel number `channel` and `f` [Hz]: a cubic through four logarithms; 0 where one of them is not known.
+    fn square(&self, channel: usize, f: f64) -> f64 {
         let place = (f.ln() - self.low) / self.step;
         let i = (place.floor() as isize).clamp(1, self.logarithms.len() as isize - 3) as usize;
         let weights = cubic_weights(place - i as f64);
         let sum: Option<f64> =
-            (0..4).map(|m| self.logarithms[i + m - 1][receiver].map(|l| weights[m] * l)).sum();
+            (0..4).map(|m| self.logarithms[i + m - 1][channel].map(|l| weights[m] * l)).sum();
         sum.map_or(0.0, f64::exp)
     }
 }
 
 impl ConstantLoad<'_> {
-    /// |h|² [m² per (N/m)²] of all receivers of `pass` at `f` [Hz], within its bands.
+    /// |h|² [m² per (N/m)²] of all channels of `pass` at `f` [Hz], within its bands.
     pub fn squares(&self, pass: &Pass, f: f64) -> Vec<f64> {
-        let receivers = 0..pass.receivers.len();
+        let channels = 0..pass.channels().len();
         match self {
-            Self::Slow(slow) => receivers.map(|r| slow.square(r, f)).collect(),
+            Self::Slow(slow) => channels.map(|c| slow.square(c, f)).collect(),
             Self::Fast(sections) => {
                 let ground = sections.at(TAU * f);
-                receivers.map(|r| ground.transfer(r, TAU * f / pass.speed).norm_sqr()).collect()
+                channels.map(|c| ground.transfer(c, TAU * f / pass.speed).norm_sqr()).collect()
             }
         }
     }

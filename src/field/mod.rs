@@ -1,6 +1,7 @@
 //! The ground beside the track: around a train, beside a pass, around a standing force.
 
 mod abreast;
+mod channel;
 mod constant_load;
 mod far_field;
 mod ground_field;
@@ -18,6 +19,7 @@ mod standing_field;
 mod transfer;
 mod underground;
 
+pub use channel::Channel;
 pub use constant_load::{ConstantLoad, SlowLoad};
 pub use far_field::FarField;
 pub use ground_field::{Field, GroundField, GroundFieldError};

@@ -1,11 +1,11 @@
 //! A train passing receivers beside the track, and what answers for the ground on its way.
 
-use super::{Section, Sections};
+use super::{Channel, Section, Sections};
 use crate::assessment::Band;
 use crate::foundation::FoundationError;
 use crate::progress::Observer;
 use crate::rail::InteractionError;
-use crate::soil::{GroundSolver, Profile, Solver, Strip};
+use crate::soil::{GroundSolver, Motion, Profile, Solver, Strip};
 use crate::track::Stack;
 use crate::vehicle::Train;
 use num_complex::Complex64;
@@ -24,6 +24,8 @@ pub struct Pass<'a> {
     pub train: &'a Train,
     /// Distances of the receivers from the centre line of the track [m], beyond its strip.
     pub receivers: &'a [f64],
+    /// What of their motion is wanted.
+    pub motions: &'a [Motion],
     /// Bands, one after another.
     pub bands: &'a [Band],
 }
@@ -34,6 +36,11 @@ pub fn pointwise(solver: Solver) -> Solver {
 }
 
 impl Pass<'_> {
+    /// Every motion of every receiver: all receivers for one motion, then for the next.
+    pub fn channels(&self) -> Vec<Channel> {
+        Channel::all(self.receivers, self.motions)
+    }
+
     /// Distance of the farthest receiver [m].
     pub fn farthest(&self) -> f64 {
         self.receivers.iter().copied().fold(0.0, f64::max)
@@ -57,7 +64,7 @@ impl Pass<'_> {
         TAU * self.highest() / self.speed + sections.reach()
     }
 
-    /// h(β, ω) at the receivers of `stack` on the `strip` of a ground and its solver, on paths lifted off the poles, by the solver
+    /// h(β, ω) of the channels of `stack` on the `strip` of a ground and its solver, on paths lifted off the poles, by the solver
     /// `otherwise` where they may not be taken; from the lowest frequency of histories of
     /// `period` [s], or of the bands, to the upper end of the bands.
     ///
@@ -74,17 +81,20 @@ impl Pass<'_> {
         observer: &dyn Observer,
     ) -> Result<Sections, InteractionError> {
         let lowest = self.bands.iter().map(|b| b.lower()).fold(1.0 / period, f64::min);
+        let channels = self.channels();
         let section = |omega: f64| -> Result<_, InteractionError> {
-            let exact = solver.prepare(profile, omega, &[]).map_err(FoundationError::from)?;
-            if let Some(section) = Section::lifted(stack, exact.as_ref(), strip, omega, self.receivers) {
+            let exact = pointwise(solver).prepare(profile, omega, &[]).map_err(FoundationError::from)?;
+            if !solver.has_modes()
+                && let Some(section) = Section::lifted(stack, exact.as_ref(), strip, omega, &channels)
+            {
                 return Ok(section);
             }
             let ground = otherwise
                 .prepare_many(profile, omega, K_MAX, GROUND_ACCURACY)
                 .map_err(FoundationError::from)?;
-            Ok(Section::new(stack, ground.as_ref(), strip, omega, self.receivers))
+            Ok(Section::new(stack, (ground.as_ref(), exact.as_ref()), strip, omega, &channels))
         };
         let (range, slowest) = ((TAU * lowest, TAU * self.highest()), profile.slowest_rayleigh_speed());
-        Sections::new(range, self.receivers, 1.0 / slowest, section, observer)
+        Sections::new(range, &channels, 1.0 / slowest, section, observer)
     }
 }

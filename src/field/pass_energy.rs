@@ -28,7 +28,7 @@ const PER_BAND: usize = 8;
 /// Components of the profile at least, per factor e of wavelength.
 const COMPONENTS: f64 = 200.0;
 
-/// Energy [m²/s² s] of the velocity, receivers × bands.
+/// Energy [m²/s² s] of the velocity, channels × bands.
 #[derive(Clone, Debug)]
 pub struct PassEnergy {
     /// Of the constant axle loads.
@@ -95,7 +95,7 @@ impl PassEnergy {
     ///
     /// Accuracy: 1e-3 of the energy of bands that are not negligible beside the largest (test `cross_solver::passage`).
     pub fn quasi_static(pass: &Pass, load: &ConstantLoad) -> Self {
-        let mut energies = Array2::zeros((pass.receivers.len(), pass.bands.len()));
+        let mut energies = Array2::zeros((pass.channels().len(), pass.bands.len()));
         for (b, band) in pass.bands.iter().enumerate() {
             let (from, to) = (band.lower(), band.upper());
             // fields of fast loads beat with the receiver's distance
@@ -146,14 +146,14 @@ impl PassEnergy {
                 let omega = TAU * f;
                 let (ground, shift) = (sections.at(omega).tables(), omega / pass.speed);
                 let rows = Rows::new(pass.train.axles(), pass.speed, (f, width));
-                let mut energy = vec![0.0; pass.receivers.len()];
+                let mut energy = vec![0.0; pass.channels().len()];
                 let arrives = |wave: &&DrivingWave| (wave.wavenumber - shift).abs() <= ground.reach();
                 let heard: Vec<&DrivingWave> = waves.iter().filter(arrives).collect();
                 // p(−Ω) = conj p(Ω)
                 let means: Vec<(f64, f64)> = heard.iter().map(|wave| rows.means(&wave.forces)).collect();
                 for (r, slot) in energy.iter_mut().enumerate() {
                     let near = ground.transfers(r, heard.iter().map(|wave| wave.wavenumber - shift));
-                    let far = ground.transfers(r, heard.iter().map(|wave| wave.wavenumber + shift));
+                    let far = ground.transfers(r, heard.iter().map(|wave| -wave.wavenumber - shift));
                     for (((wave, (up, down)), near), far) in heard.iter().zip(&means).zip(near).zip(far) {
                         let squares = up * near.norm_sqr() + down * far.norm_sqr();
                         *slot += 2.0 * omega * omega * width * wave.weight * squares;
@@ -174,7 +174,7 @@ impl PassEnergy {
         Ok(())
     }
 
-    /// Sets the energy of one profile from histories [m/s], receivers × times: its own without the quasi-static part, and all of it.
+    /// Sets the energy of one profile from histories [m/s], channels × times: its own without the quasi-static part, and all of it.
     ///
     /// # Errors
     /// Velocities that are not numbers; bands beyond the samples.

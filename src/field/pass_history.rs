@@ -52,7 +52,7 @@ impl Times {
 /// The part of the constant axle loads.
 #[derive(Clone, Debug)]
 pub struct QuasiStatic {
-    /// [m/s], positive down, receivers × times.
+    /// [m/s], positive down, in the direction of travel, away from the track, channels × times.
     pub velocity: Array2<f64>,
     /// Error of an integral over what was allowed, where it is largest: at most 1 where the accuracy was reached.
     pub worst: f64,
@@ -83,13 +83,13 @@ impl Pass<'_> {
     ) -> Result<QuasiStatic, InteractionError> {
         let ground = (profile, pointwise(solver));
         let reach = self.speed * times.period().max(times.first.abs());
-        observer.begin("quasi-static", self.receivers.len() as u64);
+        let channels = self.channels();
+        observer.begin("quasi-static", channels.len() as u64);
         let spectrum = track.spectrum(self.speed)?;
-        let rows: Vec<(Vec<f64>, f64)> = self
-            .receivers
+        let rows: Vec<(Vec<f64>, f64)> = channels
             .par_iter()
-            .map(|&y| {
-                let one = spectrum.passage(ground, strip, y, reach)?;
+            .map(|&channel| {
+                let one = spectrum.passage(ground, strip, channel, reach)?;
                 let velocities =
                     one.of_train(self.train.axles()).velocities(times.first, times.step, times.count);
                 observer.done()?;
@@ -103,7 +103,7 @@ impl Pass<'_> {
         })
     }
 
-    /// Velocity [m/s], positive down, receivers × times, that each of the `profiles` makes; they have their wavenumbers Ω in common,
+    /// Velocity [m/s], channels × times, that each of the `profiles` makes; they have their wavenumbers Ω in common,
     /// at which `forces` gives p(Ω) [N/m] of all wheels.
     ///
     /// The spectrum is exact at the harmonics of the period N Δt: what the train does earlier or later comes back in it, small
@@ -130,8 +130,8 @@ impl Pass<'_> {
         let waves: Vec<Vec<Complex64>> = (0..wheels.len()).map(of).collect();
         let harmonics = (self.highest() * times.period()).floor() as usize;
         observer.begin("dynamic", harmonics as u64);
-        let shape = (profiles.len(), self.receivers.len());
-        // v̂ of each profile and receiver, at each harmonic
+        let shape = (profiles.len(), self.channels().len());
+        // v̂ of each profile and channel, at each harmonic
         let spectra: Vec<Array2<Complex64>> = (0..=harmonics)
             .into_par_iter()
             .map(|m| {
@@ -159,7 +159,7 @@ impl Pass<'_> {
             .collect())
     }
 
-    /// û_dyn at one ω = `omega`, profiles × receivers: `ground` there, Ω and p of all `wheels`, ½ a e^{iθ}/v of every one of the `waves` in
+    /// û_dyn at one ω = `omega`, profiles × channels: `ground` there, Ω and p of all `wheels`, ½ a e^{iθ}/v of every one of the `waves` in
     /// each of so many `profiles`.
     fn spectrum(
         &self,
@@ -169,7 +169,8 @@ impl Pass<'_> {
         waves: &[Vec<Complex64>],
         profiles: usize,
     ) -> Array2<Complex64> {
-        let mut u = Array2::zeros((profiles, self.receivers.len()));
+        let channels = self.channels().len();
+        let mut u = Array2::zeros((profiles, channels));
         let (phases, shift) = (self.phases(omega), omega / self.speed);
         // where Ω + ω/v arrives Ω − ω/v does
         let heard = |j: &usize| (wheels[*j].0 - shift).abs() <= ground.reach();
@@ -179,9 +180,9 @@ impl Pass<'_> {
         let down =
             |j: &usize| -> Complex64 { wheels[*j].1.iter().zip(&phases).map(|(p, c)| p.conj() * c).sum() };
         let passed: Vec<[Complex64; 2]> = heard.iter().map(|j| [up(j), down(j)]).collect();
-        for r in 0..self.receivers.len() {
+        for r in 0..channels {
             let near = ground.transfers(r, heard.iter().map(|j| wheels[*j].0 - shift));
-            let far = ground.transfers(r, heard.iter().map(|j| wheels[*j].0 + shift));
+            let far = ground.transfers(r, heard.iter().map(|j| -wheels[*j].0 - shift));
             for (((j, [up, down]), near), far) in heard.iter().zip(&passed).zip(near).zip(far) {
                 let (near, far) = (up * near, down * far);
                 for (u, wave) in u.column_mut(r).iter_mut().zip(&waves[*j]) {

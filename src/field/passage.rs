@@ -1,4 +1,4 @@
-//! What a constant load passing at constant speed does to a receiver: the quasi-static history, without period or wrap-around.
+//! What a constant load passing at constant speed does to a channel of a receiver: the quasi-static history, without period or wrap-around.
 //!
 //! ```text
 //! w(x′; y) = (1/π) Re ∫₀^∞ q̃(β) R(β, −βv; y) e^{iβx′} dβ,   u(t) = w(−vt),   q̃ = k_eq ũ_base
@@ -6,6 +6,7 @@
 //!
 //! with R the receiver integral of the ground. It is the line at y through the contour around the load.
 
+use super::Channel;
 use crate::foundation::FoundationError;
 use crate::math::complex::I;
 use crate::math::interpolation::{Interpolant, NODES};
@@ -31,13 +32,13 @@ pub struct Passage {
 }
 
 impl Passage {
-    /// Displacement u_z [m/N], positive down, `time` [s] after the load was abreast.
+    /// Displacement [m/N] `time` [s] after the load was abreast.
     pub fn displacement(&self, time: f64) -> f64 {
         let x = -self.speed * time;
         self.waves.at(x).re
     }
 
-    /// Velocity v_z = ∂u_z/∂t [m/s per N], positive down, at `count` times from `first` on, every `step` [s].
+    /// Velocity ∂u/∂t [m/s per N] at `count` times from `first` on, every `step` [s].
     ///
     /// Accuracy: 1e-10 of what all waves together could make.
     pub fn velocities(&self, first: f64, step: f64, count: usize) -> Vec<f64> {
@@ -61,10 +62,10 @@ impl Passage {
 }
 
 impl MovingSpectrum<'_> {
-    /// This load passing a receiver at distance `y` [m] from the centre line, `ground` with its exact solver under the track's `strip`; for
+    /// This load passing a `channel`, `ground` with its exact solver under the track's `strip`; for
     /// times up to `reach` [m] over its speed, which is above zero.
     ///
-    /// Accuracy: 1e-3 of the largest velocity of the contour (test `cross_solver::passage`).
+    /// Accuracy: 1e-3 of the largest velocity of the contour (tests `cross_solver::passage`, `cross_solver::horizontal`).
     ///
     /// # Errors
     /// A ground that cannot answer; a response that diverges.
@@ -72,9 +73,10 @@ impl MovingSpectrum<'_> {
         &self,
         ground: (&Profile, Solver),
         strip: Strip,
-        y: f64,
+        channel: Channel,
         reach: f64,
     ) -> Result<Passage, InteractionError> {
+        let Channel { y, motion } = channel;
         let speed = self.speed;
         let (profile, solver) = ground;
         let slowest = profile.slowest_rayleigh_speed();
@@ -87,7 +89,7 @@ impl MovingSpectrum<'_> {
         let response = |beta: f64| -> Result<Complex64, FoundationError> {
             let ground = solver.prepare(profile, -beta * speed, &[])?;
             let wanted = relative(beta);
-            let estimate = ground.receiver(beta, strip.half_width, y, wanted);
+            let estimate = ground.beside(beta, strip.half_width, y, motion, wanted);
             worst.set(worst.get().max(estimate.miss(10.0 * wanted)));
             Ok(estimate.value)
         };

@@ -1,8 +1,8 @@
 //! The ground across the track at any frequency: h(β, ω) between sections at some.
 
-use super::Section;
-use super::section::cut_off;
-use crate::math::interpolation::{Interpolant, lagrange_within};
+use super::section::Heard;
+use super::{Channel, Section};
+use crate::math::interpolation::lagrange_within;
 use crate::math::lanes::{LANES, sin_cos};
 use crate::math::quadrature::miss;
 use crate::progress::{Cancelled, Observer};
@@ -25,8 +25,8 @@ const PROBES: usize = 24;
 pub struct Sections {
     omega: Vec<f64>,
     sections: Vec<Section>,
-    /// Distances of the receivers [m] and the slowness of the slowest wave [s/m].
-    receivers: Vec<f64>,
+    channels: Vec<Channel>,
+    /// Of the slowest wave [s/m].
     slowness: f64,
     /// Error over what was allowed, of a section or of what lies between two, where it is largest: at most 1 where the accuracy was
     /// reached.
@@ -39,47 +39,46 @@ pub struct Between<'a> {
     omega: f64,
     /// ω of a section, the section, its weight.
     parts: [(f64, &'a Section, f64); NODES],
-    /// Largest slowness that reaches each receiver [s/m].
+    /// Largest slowness that reaches each channel [s/m].
     reach: Vec<f64>,
 }
 
 /// h(β) at one ω, for many β.
-pub struct Tables(Vec<(f64, Interpolant)>);
+pub struct Tables(Vec<Heard>);
 
 impl Tables {
-    /// h(β) at receiver number `receiver` [m per N/m] for many β; 0 where β is too short a wave to arrive.
-    pub fn transfers(&self, receiver: usize, beta: impl Iterator<Item = f64>) -> Vec<Complex64> {
-        let (reach, table) = &self.0[receiver];
-        cut_off(table, *reach, beta)
+    /// h(β) of channel number `channel` [m per N/m] for many β; 0 where β is too short a wave to arrive.
+    pub fn transfers(&self, channel: usize, beta: impl Iterator<Item = f64>) -> Vec<Complex64> {
+        self.0[channel].at_many(beta)
     }
 
-    /// Largest β that reaches a receiver [rad/m].
+    /// Largest β that reaches a channel [rad/m].
     pub fn reach(&self) -> f64 {
-        self.0.iter().map(|table| table.0).fold(0.0, f64::max)
+        self.0.iter().map(|heard| heard.reach).fold(0.0, f64::max)
     }
 }
 
 impl Sections {
-    /// Sections for frequencies `range` (lowest, highest) [rad/s], above zero, and `receivers` [m]; `slowness` [s/m] is that of the
+    /// Sections for frequencies `range` (lowest, highest) [rad/s], above zero, and `channels`; `slowness` [s/m] is that of the
     /// slowest wave, `section` makes one.
     ///
     /// At one slowness s = β/ω the waves of a half-space keep their places and e^{−iωτ(s)}, τ = y√(s_R² − s²), is all that changes. It
     /// is taken out and put back; other waves and layers leave some of it. Sections stand 4/τ(0) apart, are halved once
     /// everywhere, and again where that told something new.
     ///
-    /// Accuracy: measured while halving, better than 1e-3 of the largest h of each receiver (test
+    /// Accuracy: measured while halving, better than 1e-3 of the largest h of each channel (test
     /// `cross_solver::free_field::between_sections`).
     ///
     /// # Errors
     /// The first one of `section`; told to stop.
     pub fn new<E: From<Cancelled> + Send>(
         range: (f64, f64),
-        receivers: &[f64],
+        channels: &[Channel],
         slowness: f64,
         section: impl Fn(f64) -> Result<Section, E> + Sync,
         observer: &dyn Observer,
     ) -> Result<Self, E> {
-        let time = slowness * receivers.iter().copied().fold(0.0, f64::max);
+        let time = slowness * channels.iter().map(|c| c.y).fold(0.0, f64::max);
         let mut omega = vec![range.0];
         while omega[omega.len() - 1] < range.1 || omega.len() < NODES {
             let last = omega[omega.len() - 1];
@@ -98,8 +97,8 @@ impl Sections {
             sections
         };
         let sections = make(&omega)?;
-        let receivers = receivers.to_vec();
-        let mut result = Self { omega, sections, receivers, slowness, worst: 0.0 };
+        let channels = channels.to_vec();
+        let mut result = Self { omega, sections, channels, slowness, worst: 0.0 };
         // whether the interval above each section is to be halved
         let mut halve = vec![true; result.omega.len() - 1];
         let mut between = 0.0;
@@ -153,15 +152,15 @@ impl Sections {
         let parts: [(f64, &Section, f64); NODES] =
             std::array::from_fn(|i| (nodes[i], &self.sections[first + i], weights[i]));
         let reach =
-            |r: usize| parts.iter().map(|(omega, section, _)| section.reach(r) / omega).fold(0.0, f64::max);
-        let reach = (0..self.receivers.len()).map(reach).collect();
+            |c: usize| parts.iter().map(|(omega, section, _)| section.reach(c) / omega).fold(0.0, f64::max);
+        let reach = (0..self.channels.len()).map(reach).collect();
         Between { of: self, omega, parts, reach }
     }
 
-    /// Largest β that reaches a receiver at any of them [rad/m].
+    /// Largest β that reaches a channel at any of them [rad/m].
     pub fn reach(&self) -> f64 {
-        let receivers = 0..self.receivers.len();
-        let of = |section: &Section| receivers.clone().map(|r| section.reach(r)).fold(0.0, f64::max);
+        let channels = 0..self.channels.len();
+        let of = |section: &Section| channels.clone().map(|c| section.reach(c)).fold(0.0, f64::max);
         self.sections.iter().map(of).fold(0.0, f64::max)
     }
 
@@ -195,41 +194,39 @@ fn add_turned<S: Simd>(
 }
 
 impl Between<'_> {
-    /// The same as a table for each receiver, on the pieces of the nearest section: quicker from some hundred β on.
+    /// The same as a table for each channel, on the pieces of the nearest section: quicker from some hundred β on.
     pub fn tables(&self) -> Tables {
         let apart = |part: &&(f64, &Section, f64)| (part.0 - self.omega).abs();
         let nearest =
             self.parts.iter().min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap_or(&self.parts[0]);
         let stretch = self.omega / nearest.0;
-        let table = |r: usize| {
-            let reach = self.reach[r] * self.omega;
-            (
-                reach.min(stretch * nearest.1.reach(r)),
-                nearest.1.alike(r, stretch, |beta| self.transfers(r, beta)),
-            )
+        let heard = |c: usize| Heard {
+            table: nearest.1.alike(c, stretch, |beta| self.transfers(c, beta)),
+            reach: (self.reach[c] * self.omega).min(stretch * nearest.1.reach(c)),
+            motion: self.of.channels[c].motion,
         };
-        Tables((0..self.of.receivers.len()).map(table).collect())
+        Tables((0..self.of.channels.len()).map(heard).collect())
     }
 
-    /// h(β) at receiver number `receiver` [m per N/m].
-    pub fn transfer(&self, receiver: usize, beta: f64) -> Complex64 {
-        self.transfers(receiver, &[beta])[0]
+    /// h(β) of channel number `channel` [m per N/m].
+    pub fn transfer(&self, channel: usize, beta: f64) -> Complex64 {
+        self.transfers(channel, &[beta])[0]
     }
 
     /// The same at many β.
-    pub fn transfers(&self, receiver: usize, beta: &[f64]) -> Vec<Complex64> {
-        let (slowest, distance) = (self.of.slowness, self.of.receivers[receiver]);
-        let slownesses: Vec<f64> = beta.iter().map(|beta| beta.abs() / self.omega).collect();
+    pub fn transfers(&self, channel: usize, beta: &[f64]) -> Vec<Complex64> {
+        let (slowest, distance) = (self.of.slowness, self.of.channels[channel].y);
+        let slownesses: Vec<f64> = beta.iter().map(|beta| beta / self.omega).collect();
         // τ(s); evanescent waves have no phase to take out
         let time = |s: &f64| (slowest * slowest - s * s).max(0.0).sqrt() * distance;
         let times: Vec<f64> = slownesses.iter().map(time).collect();
         let mut sums = vec![Complex64::ZERO; beta.len()];
         for &(omega, section, weight) in &self.parts {
-            let values = section.transfers(receiver, slownesses.iter().map(|s| s * omega));
+            let values = section.transfers(channel, slownesses.iter().map(|s| s * omega));
             let later = omega - self.omega;
             dispatch!(Level::new(), simd => add_turned(simd, &mut sums, &values, &times, (weight, later)));
         }
-        for (sum, _) in sums.iter_mut().zip(&slownesses).filter(|(_, s)| **s > self.reach[receiver]) {
+        for (sum, _) in sums.iter_mut().zip(&slownesses).filter(|(_, s)| s.abs() > self.reach[channel]) {
             *sum = Complex64::ZERO;
         }
         sums
@@ -237,13 +234,13 @@ impl Between<'_> {
 
     /// How far `section`, at this ω, is from what its neighbours say, over what is allowed.
     fn miss(&self, section: &Section) -> f64 {
-        let apart = (0..self.of.receivers.len()).map(|r| {
+        let apart = (0..self.of.channels.len()).map(|c| {
             let (mut largest, mut difference) = (0.0f64, 0.0f64);
             for i in 0..PROBES {
                 let beta = 1.2 * self.of.slowness * self.omega * (i as f64 + 0.5) / PROBES as f64;
-                let h = section.transfer(r, beta);
+                let h = section.transfer(c, beta);
                 largest = largest.max(h.norm());
-                difference = difference.max((self.transfer(r, beta) - h).norm());
+                difference = difference.max((self.transfer(c, beta) - h).norm());
             }
             miss(difference, PREDICTED * largest)
         });

@@ -4,12 +4,14 @@
 //! h(β, ω; y) = k_eq ũ_base R(β, ω; y)
 //! ```
 //!
-//! is the displacement at y [m per N/m] of a unit force per metre e^{i(ωt + βx)} on the rail, R the receiver integral. It is even in β.
+//! is the displacement at y [m per N/m] of a unit force per metre e^{i(ωt + βx)} on the rail, R the receiver integral, of any direction of
+//! motion. It is even in β, along the track odd.
 //! A force P e^{iω̃t} moving at v passes a receiver at x = 0 as the spectrum û(ω) = (P/v) h((ω̃ − ω)/v, ω).
 
+use super::Channel;
 use crate::math::quadrature::Estimate;
 use crate::rail::{NEGLIGIBLE, decay};
-use crate::soil::{PreparedGround, Strip};
+use crate::soil::{Motion, PreparedGround, Strip};
 use crate::track::Stack;
 use num_complex::Complex64;
 
@@ -46,11 +48,12 @@ impl<'a> Transfer<'a> {
         decay(beta, self.slowest, y - self.strip.half_width)
     }
 
-    /// R(β; y) [m²/N] to `relative` of the waves beside which it decays, not of itself, and its error over ten times that; 0 where
-    /// nothing arrives.
-    pub fn receiver(&self, beta: f64, y: f64, relative: f64) -> (Complex64, f64) {
+    /// R(β; y) [m²/N] of a `channel` to `relative` of the waves beside which it decays, not of itself, and its error over ten times that; 0
+    /// where nothing arrives.
+    pub fn receiver(&self, beta: f64, channel: Channel, relative: f64) -> (Complex64, f64) {
+        let Channel { y, motion } = channel;
         let wanted = (relative * self.nepers(beta, y).exp()).min(0.1);
-        let estimate = self.ground.receiver(beta, self.strip.half_width, y, wanted);
+        let estimate = self.ground.beside(beta, self.strip.half_width, y, motion, wanted);
         (estimate.value, self.miss(beta, y, relative, &estimate))
     }
 
@@ -77,24 +80,32 @@ impl<'a> Transfer<'a> {
         self.ground.receivers(beta, self.strip.half_width, y, relative)
     }
 
-    /// h(β) at each `y` itself [m per N/m] to a `relative` accuracy, and its error over `least` of it. None where waves decay by more than
-    /// 25 Np on the way: what little arrives is rounding of the integral, and no number is made of it.
-    pub fn exact(&self, beta: f64, y: &[f64], relative: f64, least: f64) -> Vec<Option<(Complex64, f64)>> {
-        let arrives = |y: &f64| self.nepers(beta, *y) <= NEGLIGIBLE;
-        if !y.iter().any(arrives) {
-            return vec![None; y.len()];
+    /// h(β) of each of the `channels` itself [m per N/m] to a `relative` accuracy, and its error over `least` of it. None where waves decay by
+    /// more than 25 Np on the way: what little arrives is rounding of the integral, and no number is made of it.
+    pub fn exact(
+        &self,
+        beta: f64,
+        channels: &[Channel],
+        relative: f64,
+        least: f64,
+    ) -> Vec<Option<(Complex64, f64)>> {
+        let arrives = |channel: &Channel| self.nepers(beta, channel.y) <= NEGLIGIBLE;
+        if !channels.iter().any(arrives) {
+            return vec![None; channels.len()];
         }
         let under = self.compliance(beta, relative);
         let force = self.force(beta, under.value);
-        let heard: Vec<f64> = y.iter().copied().filter(arrives).collect();
-        // one integral for all; those so much quieter than the nearest that they are not known by it have one of their own
+        let vertical = channels.iter().filter(|c| c.motion == Motion::Vertical && arrives(c));
+        let heard: Vec<f64> = vertical.map(|channel| channel.y).collect();
+        // one integral for all that move vertically; those so much quieter than the nearest that they are not known by it have one of their own
         let mut all = self.receivers(beta, &heard, relative).into_iter();
-        let mut h = |y: &f64| {
-            let alone = || self.ground.receiver(beta, self.strip.half_width, *y, relative);
-            let beside = all.next().filter(|beside| beside.error <= relative * beside.value.norm());
-            let beside = beside.unwrap_or_else(alone);
+        let mut h = |&Channel { y, motion }: &Channel| {
+            let alone = || self.ground.beside(beta, self.strip.half_width, y, motion, relative);
+            let shared = if motion == Motion::Vertical { all.next() } else { None };
+            let known = shared.filter(|beside| beside.error <= relative * beside.value.norm());
+            let beside = known.unwrap_or_else(alone);
             (force * beside.value, under.miss(least).max(beside.miss(least)))
         };
-        y.iter().map(|y| arrives(y).then(|| h(y))).collect()
+        channels.iter().map(|channel| arrives(channel).then(|| h(channel))).collect()
     }
 }

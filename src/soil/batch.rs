@@ -31,20 +31,27 @@ pub(super) struct InPlane<S: Simd> {
     pub cost: f64x8<S>,
 }
 
+/// One of these.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Element {
+    Xz = 1,
+    Zz = 2,
+}
+
 impl Batch<'_> {
-    /// u_zz [m/Pa] at `k` [rad/m]; None where one has lost too many digits, its cost above `most`.
-    pub fn u_zz(&self, k: &[f64], most: f64) -> Vec<Option<Complex64>> {
-        dispatch!(Level::new(), simd => self.all_u_zz(simd, k, most))
+    /// One `element` [m/Pa] at `k` [rad/m]; None where one has lost too many digits, its cost above `most`.
+    pub fn element(&self, element: Element, k: &[f64], most: f64) -> Vec<Option<Complex64>> {
+        dispatch!(Level::new(), simd => self.all(simd, element, k, most))
     }
 
     #[inline(always)]
-    fn all_u_zz<S: Simd>(&self, simd: S, k: &[f64], most: f64) -> Vec<Option<Complex64>> {
+    fn all<S: Simd>(&self, simd: S, element: Element, k: &[f64], most: f64) -> Vec<Option<Complex64>> {
         let mut all = Vec::with_capacity(k.len());
         for eight in k.chunks(LANES) {
             let k = f64x8::from_fn(simd, |i| eight[i.min(eight.len() - 1)]);
             let none = f64x8::splat(simd, 0.0);
             let found = self.in_plane(simd, Lanes { re: k, im: none }, Lanes { re: k * k, im: none });
-            let lane = |i: usize| (found.cost[i] < most).then(|| found.compliance[2].lane(i));
+            let lane = |i: usize| (found.cost[i] < most).then(|| found.compliance[element as usize].lane(i));
             all.extend((0..eight.len()).map(lane));
         }
         all

@@ -5,12 +5,15 @@
 //! R(β; y) = (1/π) ∫₀^∞ G(√(β² + q²)) sinc(q b) cos(q y) w(t) (dq/du) du,   w = ½ erfc((t − t₂)/Δ)
 //! ```
 //!
+//! and horizontally G_xz/(ik) in place of G, across the track q sin(q y) in place of cos(q y), as [`Motion`] has it.
+//!
 //! The path is lifted as that of `lifted` and never higher, while waves are below it, and comes back to the axis beyond them. Its steps
 //! grow from s, the scale on which waves change G, to H. A trapezoidal rule of step Δq confuses y with 2π/Δq − y, of which the path
 //! leaves e^{−d(2π/Δq − 2y)}: H is chosen for that. Beyond the waves G is smooth beside the kernel, so that a window as smooth leaves
 //! e^{−(Δ(y−b)/2)²} of what it takes away. Points, kernels and window do not depend on β but for s, a power of four: they are kept, and a
 //! further receiver costs its sums alone. Every sixteenth β is compared with closer steps and a wider window.
 
+use super::Motion;
 use super::lifted::{Integral, LIFT, sinc};
 use super::strip::{self, Compliances};
 use crate::math::error_function::erfc;
@@ -44,12 +47,12 @@ const FARTHEST: f64 = 600.0;
 /// Of so many β with the same points one is compared.
 const CHECKED: usize = 16;
 
-/// Receivers beside a strip at one ω ≠ 0.
+/// Motions of receivers beside a strip at one ω ≠ 0.
 pub struct Receivers<'a> {
     integral: Integral<'a>,
     half_width: f64,
-    /// Distances from the centre line [m].
-    y: Vec<f64>,
+    /// Distance from the centre line [m] and motion of each.
+    receivers: Vec<(f64, Motion)>,
     /// Error that is allowed for each [m²/N].
     allowed: Vec<f64>,
     /// Slowest wave [rad/m].
@@ -72,18 +75,24 @@ struct Rule {
 /// Points of a rule, in eights, and what each receiver makes of them.
 struct Points {
     q2: (Vec<f64>, Vec<f64>),
-    /// sinc(q b) cos(q y) w (dq/du) Δu/π, receiver by receiver.
+    /// sinc(q b) cos(q y) w (dq/du) Δu/π, across with q sin(q y), receiver by receiver.
     weights: Vec<(Vec<f64>, Vec<f64>)>,
 }
 
 impl<'a> Receivers<'a> {
-    /// At distances `y` [m] beyond a strip of `half_width` [m], to a `relative` accuracy of the largest R of each; None where that does not
-    /// settle.
-    pub(super) fn new(integral: Integral<'a>, half_width: f64, y: &[f64], relative: f64) -> Option<Self> {
+    /// Motions at distances [m] beyond a strip of `half_width` [m], to a `relative` accuracy of the largest R of each; None where that does
+    /// not settle.
+    pub(super) fn new(
+        integral: Integral<'a>,
+        half_width: f64,
+        receivers: &[(f64, Motion)],
+        relative: f64,
+    ) -> Option<Self> {
         let slowest = integral.outline.wavenumbers.last().copied().unwrap_or(0.0);
-        let (y, allowed, rules) = (y.to_vec(), vec![f64::INFINITY; y.len()], RefCell::default());
-        let mut receivers = Self { integral, half_width, y, allowed, slowest, rules };
-        let mut largest = vec![0.0f64; receivers.y.len()];
+        let (allowed, rules) = (vec![f64::INFINITY; receivers.len()], RefCell::default());
+        let mut largest = vec![0.0f64; receivers.len()];
+        let receivers = receivers.to_vec();
+        let mut receivers = Self { integral, half_width, receivers, allowed, slowest, rules };
         for share in [0.0, 0.3, 0.6, 0.9] {
             for (largest, estimate) in largest.iter_mut().zip(receivers.at(share * slowest)?) {
                 *largest = largest.max(estimate.value.norm());
@@ -95,19 +104,22 @@ impl<'a> Receivers<'a> {
         Some(receivers)
     }
 
-    /// Whether no pole stands between the real axis and the path, at any β: at β = 0 both agree for the nearest receiver and the farthest.
+    /// Whether no pole stands between the real axis and the path, at any β: at β = 0 both agree for the vertical motion of the nearest
+    /// receiver and of the farthest. All motions have the same poles.
     pub(super) fn are_clear(&self, u_zz: Compliances) -> bool {
         let Some(lifted) = self.at(0.0) else { return false };
-        let alike = |((y, allowed), lifted): ((&f64, &f64), &Estimate)| {
+        let alike = |((y, allowed), lifted): ((f64, &f64), &Estimate)| {
             let (outline, relative) = (self.integral.outline, 0.5 * allowed / lifted.value.norm());
-            let real = strip::receiver_quadrature(u_zz, outline, 0.0, self.half_width, *y, relative);
+            let real = strip::receiver_quadrature(u_zz, outline, 0.0, self.half_width, y, relative);
             real.converged && (lifted.value - real.value).norm() <= 2.0 * allowed
         };
-        let mut both = self.y.iter().zip(&self.allowed).zip(&lifted);
+        let all = self.receivers.iter().zip(&self.allowed).zip(&lifted);
+        let vertical = all.filter(|((receiver, _), _)| receiver.1 == Motion::Vertical);
+        let mut both = vertical.map(|((receiver, allowed), lifted)| ((receiver.0, allowed), lifted));
         both.next().is_none_or(alike) && both.next_back().is_none_or(alike)
     }
 
-    /// R(β; y) [m²/N] of each receiver, `beta` [rad/m] of any sign; None where it does not settle.
+    /// R(β; y) [m²/N] of each, at |`beta`| [rad/m]; None where it does not settle.
     ///
     /// Accuracy: 2e-4 of the largest value of each where 1e-4 is asked (test `cross_solver::beside`).
     pub fn at(&self, beta: f64) -> Option<Vec<Estimate>> {
@@ -135,7 +147,7 @@ impl<'a> Receivers<'a> {
             if rule.asked.is_multiple_of(CHECKED) {
                 let better = self.sums(beta, finer)?;
                 count += finer.q2.0.len();
-                rule.error.resize(self.y.len(), 0.0);
+                rule.error.resize(self.receivers.len(), 0.0);
                 for ((worst, a), b) in rule.error.iter_mut().zip(&values).zip(&better) {
                     *worst = worst.max((a - b).norm());
                 }
@@ -143,13 +155,17 @@ impl<'a> Receivers<'a> {
             }
             if rule.error.iter().zip(&self.allowed).all(|(error, most)| error <= most) {
                 rule.asked += 1;
-                let one = |(z, error): (Complex64, &f64)| Estimate {
-                    value: if self.integral.negative { z.conj() } else { z },
+                // u(−ω, β) = conj u(ω, −β)
+                let signed = |z: Complex64, motion: Motion| {
+                    if self.integral.negative { motion.mirrored(z.conj()) } else { z }
+                };
+                let one = |((z, error), (_, motion)): ((Complex64, &f64), &(f64, Motion))| Estimate {
+                    value: signed(z, *motion),
                     error: *error,
                     count,
                     converged: true,
                 };
-                return Some(values.into_iter().zip(&rule.error).map(one).collect());
+                return Some(values.into_iter().zip(&rule.error).zip(&self.receivers).map(one).collect());
             }
             if rule.refined >= REFINED {
                 return None;
@@ -164,7 +180,7 @@ impl<'a> Receivers<'a> {
     }
 
     fn farthest(&self) -> f64 {
-        self.y.iter().copied().fold(0.0, f64::max) + self.half_width
+        self.receivers.iter().map(|receiver| receiver.0).fold(0.0, f64::max) + self.half_width
     }
 
     /// H
@@ -176,7 +192,8 @@ impl<'a> Receivers<'a> {
     fn points(&self, scale: i32, refined: i32) -> Option<Points> {
         let (d, longest, s) = (self.lift(), self.longest(), 4f64.powi(scale));
         let back = (1.5 * self.slowest).max(3.0 * d);
-        let nearest = self.y.iter().copied().fold(f64::INFINITY, f64::min) - self.half_width;
+        let nearest = self.receivers.iter().map(|receiver| receiver.0);
+        let nearest = nearest.fold(f64::INFINITY, f64::min) - self.half_width;
         let width = SMOOTH / nearest * WIDER.powi(refined);
         let more = MORE * f64::from(refined);
         let middle = (self.slowest + (BEHIND + more) * width).max(1.2 * back);
@@ -209,7 +226,7 @@ impl<'a> Receivers<'a> {
         Some(points)
     }
 
-    /// sinc(q b) cos(q y) times the `shares` of the points of the `path`, receiver by receiver.
+    /// sinc(q b) cos(q y), or q sin(q y), times the `shares` of the points of the `path`, receiver by receiver.
     #[inline(always)]
     fn weights_in_lanes<S: Simd>(
         &self,
@@ -221,16 +238,20 @@ impl<'a> Receivers<'a> {
             re: f64x8::from_fn(simd, |i| z[i].re),
             im: f64x8::from_fn(simd, |i| z[i].im),
         };
-        let mut weights =
-            vec![(Vec::with_capacity(path.len()), Vec::with_capacity(path.len())); self.y.len()];
+        let none = (Vec::with_capacity(path.len()), Vec::with_capacity(path.len()));
+        let mut weights = vec![none; self.receivers.len()];
         for (q, share) in path.chunks_exact(LANES).zip(shares.chunks_exact(LANES)) {
             let q = load(q);
             let share = load(share) * sinc(q.times(self.half_width));
-            for ((re, im), y) in weights.iter_mut().zip(&self.y) {
-                // cos z = cos x cosh y − i sin x sinh y
+            for ((re, im), (y, motion)) in weights.iter_mut().zip(&self.receivers) {
+                // cos z = cos x cosh y − i sin x sinh y, sin z = sin x cosh y + i cos x sinh y
                 let ((sin, cos), up) = (sin_cos(q.re * *y), exp(q.im * *y));
                 let down = 1.0 / up;
-                let weight = share * Lanes { re: cos * (up + down) * 0.5, im: sin * (down - up) * 0.5 };
+                let (cosh, sinh) = ((up + down) * 0.5, (up - down) * 0.5);
+                let weight = match motion {
+                    Motion::Across => share * q * Lanes { re: sin * cosh, im: cos * sinh },
+                    _ => share * Lanes { re: cos * cosh, im: -sin * sinh },
+                };
                 re.extend((0..LANES).map(|i| weight.re[i]));
                 im.extend((0..LANES).map(|i| weight.im[i]));
             }
@@ -245,22 +266,29 @@ impl<'a> Receivers<'a> {
 
     #[inline(always)]
     fn sums_in_lanes<S: Simd>(&self, simd: S, beta: f64, points: &Points) -> Option<Vec<Complex64>> {
-        let mut sums = vec![Lanes::real(simd, 0.0); self.y.len()];
+        let mut sums = vec![Lanes::real(simd, 0.0); self.receivers.len()];
+        let horizontal = self.receivers.iter().any(|receiver| receiver.1 != Motion::Vertical);
         for from in (0..points.q2.0.len()).step_by(LANES) {
             let eight = from..from + LANES;
             let re = f64x8::from_slice(simd, &points.q2.0[eight.clone()]) + beta * beta;
             let k2 = Lanes { re, im: f64x8::from_slice(simd, &points.q2.1[eight.clone()]) };
-            let found = self.integral.batch.in_plane(simd, k2.sqrt_decaying(), k2);
+            let k = k2.sqrt_decaying();
+            let found = self.integral.batch.in_plane(simd, k, k2);
             if !found.cost.simd_lt(self.integral.most).all_true() {
                 return None;
             }
-            for (sum, (re, im)) in sums.iter_mut().zip(&points.weights) {
+            // g/k
+            let beside = if horizontal { found.compliance[1] * k.inv() } else { k };
+            for ((sum, (re, im)), (_, motion)) in sums.iter_mut().zip(&points.weights).zip(&self.receivers) {
                 let re = f64x8::from_slice(simd, &re[eight.clone()]);
                 let im = f64x8::from_slice(simd, &im[eight.clone()]);
-                *sum = *sum + found.compliance[2] * Lanes { re, im };
+                let compliance = if *motion == Motion::Vertical { found.compliance[2] } else { beside };
+                *sum = *sum + compliance * Lanes { re, im };
             }
         }
-        let sum = |sum: &Lanes<S>| Complex64::new(sum.re.reduce_sum(), sum.im.reduce_sum());
-        Some(sums.iter().map(sum).collect())
+        let sum = |(sum, (_, motion)): (&Lanes<S>, &(f64, Motion))| {
+            motion.displacement(beta, Complex64::new(sum.re.reduce_sum(), sum.im.reduce_sum()))
+        };
+        Some(sums.iter().zip(&self.receivers).map(sum).collect())
     }
 }

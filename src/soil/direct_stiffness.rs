@@ -6,7 +6,7 @@
 //! millimetre to waves of 600 km; measured 5.5e-10 of 2 000 000 grounds (test `laws::agreement`), 1e-11 for kh → ∞ and any
 //! ω/(k c_s), ω = 0 included (test `cross_solver::surface_compliance`). At depths the cost stays (tests `laws`).
 
-use super::batch::Batch;
+use super::batch::{Batch, Element};
 use super::beside::Receivers;
 use super::chain::{self, inverse_symmetric, upside_down};
 use super::flexibility;
@@ -14,7 +14,7 @@ use super::layer_stiffness::LayerStiffness;
 use super::lifted;
 use super::strip::{Outline, Strip};
 use super::wave::Wave;
-use super::{Base, Compliance, GroundSolver, PreparedGround, Profile, SoilError, SurfaceCompliance};
+use super::{Base, Compliance, GroundSolver, Motion, PreparedGround, Profile, SoilError, SurfaceCompliance};
 use crate::count::{self, Work};
 use crate::math::complex::I;
 use crate::math::quadrature::Estimate;
@@ -163,8 +163,15 @@ impl PreparedGround for DirectStiffnessAt {
 
     /// Eight at a time.
     fn u_zz_many(&self, k: &[f64]) -> Vec<Complex64> {
-        let lanes = self.lanes().u_zz(k, MOST);
+        let lanes = self.lanes().element(Element::Zz, k, MOST);
         k.iter().zip(lanes).map(|(&k, g)| g.map_or_else(|| self.u_zz(k), |g| self.signed(g))).collect()
+    }
+
+    /// Eight at a time.
+    fn u_xz_many(&self, k: &[f64]) -> Vec<Complex64> {
+        let lanes = self.lanes().element(Element::Xz, k, MOST);
+        let alone = |k: f64| self.in_plane(k)[(0, 1)];
+        k.iter().zip(lanes).map(|(&k, g)| I * self.signed(g.unwrap_or_else(|| alone(k)))).collect()
     }
 
     fn at_depths(&self, k: f64, source: usize) -> Vec<Compliance> {
@@ -202,8 +209,13 @@ impl PreparedGround for DirectStiffnessAt {
         self.lifted().is_clear(&|k| self.u_zz_many(k), strip)
     }
 
-    fn receivers_lifted(&self, half_width: f64, y: &[f64], relative: f64) -> Option<Receivers<'_>> {
-        let receivers = Receivers::new(self.lifted(), half_width, y, relative)?;
+    fn receivers_lifted(
+        &self,
+        half_width: f64,
+        receivers: &[(f64, Motion)],
+        relative: f64,
+    ) -> Option<Receivers<'_>> {
+        let receivers = Receivers::new(self.lifted(), half_width, receivers, relative)?;
         receivers.are_clear(&|k| self.u_zz_many(k)).then_some(receivers)
     }
 

@@ -63,6 +63,12 @@ pub fn static_tail(material: &Material, omega: f64) -> (Complex64, Complex64) {
     (a, c)
 }
 
+/// G_xz ≈ i γA/k for k → ∞: γA = γ/(2μ*(1 − γ)).
+pub fn horizontal_tail(material: &Material, omega: f64) -> Complex64 {
+    let wave = Wave::new(material, omega);
+    0.5 * wave.gamma / (wave.mu * (1.0 - wave.gamma))
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::Elastic;

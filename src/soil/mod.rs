@@ -23,6 +23,7 @@ mod material;
 mod minors;
 mod mode_count;
 pub mod mode_shape;
+mod motion;
 pub mod off_axis;
 mod pole_sum;
 pub mod poles;
@@ -41,6 +42,7 @@ pub use compliance::{Compliance, SurfaceCompliance};
 pub use direct_stiffness::DirectStiffness;
 pub use flexibility::Flexibility;
 pub use material::{Elastic, Material};
+pub use motion::Motion;
 pub use poles::Poles;
 pub use profile::{Base, Layer, Profile};
 pub use sampled::Sampled;
@@ -48,6 +50,7 @@ pub use strip::{Compatibility, Strip};
 pub use thin_layer::ThinLayer;
 pub use transfer_matrix::TransferMatrix;
 
+use crate::math::complex::I;
 use crate::math::quadrature::Estimate;
 use crate::quantity::OutOfRange;
 use num_complex::Complex64;
@@ -87,6 +90,11 @@ pub trait PreparedGround: Send + Sync {
         k.iter().map(|&k| self.surface(k)).collect()
     }
 
+    /// u_xz of many wavenumbers.
+    fn u_xz_many(&self, k: &[f64]) -> Vec<Complex64> {
+        k.iter().map(|&k| self.surface(k).u_xz).collect()
+    }
+
     /// [`u_zz`](Self::u_zz) of many wavenumbers.
     fn u_zz_many(&self, k: &[f64]) -> Vec<Complex64> {
         k.iter().map(|&k| self.u_zz(k)).collect()
@@ -110,9 +118,14 @@ pub trait PreparedGround: Send + Sync {
         self.strip(beta, strip, relative)
     }
 
-    /// What answers for receivers at distances `y` [m] beyond a strip of `half_width` [m] to a `relative` accuracy of its
+    /// What answers for motions at distances [m] beyond a strip of `half_width` [m] to a `relative` accuracy of its
     /// largest value on such a path, at any β; None where it may not be taken at this ω or is not another way.
-    fn receivers_lifted(&self, _half_width: f64, _y: &[f64], _relative: f64) -> Option<Receivers<'_>> {
+    fn receivers_lifted(
+        &self,
+        _half_width: f64,
+        _receivers: &[(f64, Motion)],
+        _relative: f64,
+    ) -> Option<Receivers<'_>> {
         None
     }
 
@@ -122,7 +135,18 @@ pub trait PreparedGround: Send + Sync {
         strip::receiver_quadrature(&|k| self.u_zz_many(k), self.outline(), beta, half_width, y, relative)
     }
 
-    /// The same at many distances `y` [m] at once, to `relative` of the largest. By one quadrature for all unless the solver
+    /// The same in any direction of `motion`; horizontal ones by quadrature.
+    fn beside(&self, beta: f64, half_width: f64, y: f64, motion: Motion, relative: f64) -> Estimate {
+        if motion == Motion::Vertical {
+            return self.receiver(beta, half_width, y, relative);
+        }
+        // g/k of G_xz = i g
+        let horizontal =
+            |k: &[f64]| k.iter().zip(self.u_xz_many(k)).map(|(k, u_xz)| -I * u_xz / *k).collect::<Vec<_>>();
+        strip::horizontal_quadrature(&horizontal, self.outline(), beta, half_width, y, motion, relative)
+    }
+
+    /// [`receiver`](Self::receiver) at many distances `y` [m] at once, to `relative` of the largest. By one quadrature for all unless the solver
     /// knows better.
     fn receivers(&self, beta: f64, half_width: f64, y: &[f64], relative: f64) -> Vec<Estimate> {
         strip::receivers_quadrature(&|k| self.u_zz_many(k), self.outline(), beta, half_width, y, relative)

@@ -8,7 +8,7 @@
 //! The slow tail G ≈ A/k + C/k³ of the top layer is removed as A/κ + B/κ³, κ² = k² + 1/b², whose strip integrals
 //! are known; what remains falls like k⁻⁵ and is integrated until its envelope is below the tolerance.
 
-use super::{Profile, half_space};
+use super::{Motion, Profile, half_space};
 use crate::math::bessel::modified_bessel;
 use crate::math::complex::I;
 use crate::math::quadrature::{Adaptive, Estimate, Node, Together, Tolerance, subdivided};
@@ -77,6 +77,8 @@ pub fn sinc(x: f64) -> f64 {
 pub struct Outline {
     /// G_zz ≈ A/k + C/k³ of the top material: (A, C).
     pub tail: (Complex64, Complex64),
+    /// G_xz ≈ i γA/k: γA.
+    pub horizontal_tail: Complex64,
     /// ω/c_p, ω/c_s and ω/c_R of every material, ascending [rad/m].
     pub wavenumbers: Vec<f64>,
     /// Thickness of the top material [m]; None on a half-space.
@@ -95,6 +97,7 @@ impl Outline {
         wavenumbers.dedup();
         Self {
             tail: half_space::static_tail(profile.top(), omega),
+            horizontal_tail: half_space::horizontal_tail(profile.top(), omega),
             wavenumbers,
             top_thickness: profile.top_thickness(),
         }
@@ -183,8 +186,10 @@ struct Kernel<'a> {
     period: f64,
     /// κ₀ of the tail [rad/m].
     kappa0: f64,
-    /// Integral of the tail over (1/π)∫₀^∞ … C(q) dq, given β_c and the tail's coefficients (A, B).
-    tail: &'a dyn Fn(f64, (Complex64, Complex64)) -> Complex64,
+    /// The tail at k.
+    tail: &'a dyn Fn(f64) -> Complex64,
+    /// (1/π)∫₀^∞ tail C(q) dq
+    known: Complex64,
 }
 
 /// The tail A/κ + B/κ³, κ² = k² + κ₀², whose integrals are known: (A, B).
@@ -214,6 +219,8 @@ pub(super) fn known(tail: (Complex64, Complex64), integrals: (f64, f64)) -> Comp
 /// Source: Eq. 80 with THEORY 3.
 pub fn quadrature(u_zz: Compliances, outline: &Outline, beta: f64, strip: Strip, relative: f64) -> Estimate {
     let b = strip.half_width;
+    let kappa0 = 1.0 / b;
+    let coefficients = tail(outline, kappa0);
     let kernel = Kernel {
         times: &|q, g| g * strip.kernel(q),
         envelope: &|q| match strip.compatibility {
@@ -221,8 +228,9 @@ pub fn quadrature(u_zz: Compliances, outline: &Outline, beta: f64, strip: Strip,
             Compatibility::Mean => 1.0 / (q * b).max(1.0).powi(2),
         },
         period: 2.0 * PI / b,
-        kappa0: 1.0 / b,
-        tail: &|beta_c, tail| known(tail, tail_integrals(beta_c, strip)),
+        kappa0,
+        tail: &|k| tail_at(coefficients, kappa0, k),
+        known: known(coefficients, tail_integrals(beta.hypot(kappa0), strip)),
     };
     integral(u_zz, outline, beta, &kernel, relative).0
 }
@@ -240,14 +248,62 @@ pub fn receiver_quadrature(
     relative: f64,
 ) -> Estimate {
     let (b, y) = (half_width, y.abs());
+    let kappa0 = if b > 0.0 { 1.0 / b } else { 1.0 / y };
+    let coefficients = tail(outline, kappa0);
     let kernel = Kernel {
         times: &|q, g| g * (sinc(q * b) * (q * y).cos()),
         envelope: &|q| 1.0 / (q * b).max(1.0),
         period: 2.0 * PI / (b + y),
-        kappa0: if b > 0.0 { 1.0 / b } else { 1.0 / y },
-        tail: &|beta_c, tail| known(tail, receiver_tail_integrals(beta_c, b, y)),
+        kappa0,
+        tail: &|k| tail_at(coefficients, kappa0, k),
+        known: known(coefficients, receiver_tail_integrals(beta.hypot(kappa0), b, y)),
     };
     integral(u_zz, outline, beta, &kernel, relative).0
+}
+
+/// Horizontal displacement [m²/N] there, along or across; `horizontal` gives g/k of G_xz = i g, see [`Motion`].
+///
+/// Its tail γA/k² is removed as γA/κ², κ² = k² + κ₀², whose integral is that of e^{−β_c|x|}/(2β_c) over the strip; the rest falls like k⁻⁴.
+/// Accuracy as `receiver_quadrature` (test `cross_solver::horizontal`).
+pub fn horizontal_quadrature(
+    horizontal: Compliances,
+    outline: &Outline,
+    beta: f64,
+    half_width: f64,
+    y: f64,
+    motion: Motion,
+    relative: f64,
+) -> Estimate {
+    let b = half_width;
+    let kappa0 = if b > 0.0 { 1.0 / b } else { 1.0 / y.abs() };
+    let (a, across) = (outline.horizontal_tail, motion == Motion::Across);
+    let beta_c = beta.hypot(kappa0);
+    let kernel = Kernel {
+        times: &|q, g| g * (sinc(q * b) * if across { q * (q * y).sin() } else { (q * y).cos() }),
+        envelope: &|q| if across { q } else { 1.0 } / (q * b).max(1.0),
+        period: 2.0 * PI / (b + y.abs()),
+        kappa0,
+        tail: &|k| a / (k * k + kappa0 * kappa0),
+        known: a * horizontal_tail_integral(beta_c, b, y, across),
+    };
+    let estimate = integral(horizontal, outline, beta, &kernel, relative).0;
+    let scale = if across { 1.0 } else { beta.abs() };
+    Estimate { value: motion.displacement(beta, estimate.value), error: scale * estimate.error, ..estimate }
+}
+
+/// (1/π) ∫₀^∞ sinc(qb) cos(qy)/(q² + β_c²) dq, or `across` of q sin(qy) in place of cos(qy).
+fn horizontal_tail_integral(beta_c: f64, b: f64, y: f64, across: bool) -> f64 {
+    // e^{−β_c|x|}/(2β_c) and sgn x e^{−β_c|x|}/2, averaged over y − b … y + b by their primitives
+    let fade = |x: f64| (-beta_c * x.abs()).exp();
+    match (b > 0.0, across) {
+        (false, false) => fade(y) / (2.0 * beta_c),
+        (false, true) => 0.5 * y.signum() * fade(y),
+        (true, false) => {
+            let primitive = |x: f64| x.signum() * (1.0 - fade(x)) / beta_c;
+            (primitive(y + b) - primitive(y - b)) / (4.0 * b * beta_c)
+        }
+        (true, true) => (fade(y - b) - fade(y + b)) / (4.0 * b * beta_c),
+    }
 }
 
 /// The same for many distances `y` [m]: the nodes that serve the nearest and the farthest of them, in one integral of
@@ -266,31 +322,29 @@ pub fn receivers_quadrature(
     let (beta, b) = (beta.abs(), half_width);
     let near = y.iter().map(|y| y.abs()).fold(f64::INFINITY, f64::min);
     let far = y.iter().map(|y| y.abs()).fold(0.0, f64::max);
+    let kappa0 = if b > 0.0 { 1.0 / b } else { 1.0 / near };
+    let coefficients = tail(outline, kappa0);
+    let beta_c = beta.hypot(kappa0);
+    let tail_of = |y: f64| known(coefficients, receiver_tail_integrals(beta_c, b, y.abs()));
     let kernel = Kernel {
         times: &|q, g| g * Complex64::new((q * near).cos(), (q * far).cos()) * sinc(q * b),
         envelope: &|q| 1.0 / (q * b).max(1.0),
         period: 2.0 * PI / (b + far),
-        kappa0: if b > 0.0 { 1.0 / b } else { 1.0 / near },
-        tail: &|beta_c, tail| {
-            let at = |y: f64| known(tail, receiver_tail_integrals(beta_c, b, y));
-            at(near) + I * at(far)
-        },
+        kappa0,
+        tail: &|k| tail_at(coefficients, kappa0, k),
+        known: tail_of(near) + I * tail_of(far),
     };
     let (estimate, integral) = integral(u_zz, outline, beta, &kernel, relative);
-    let kappa0 = kernel.kappa0;
-    let coefficients = tail(outline, kappa0);
     let rule = integral.into_rule();
     let k: Vec<f64> = rule.0.iter().map(|node| beta.hypot(node.x)).collect();
     let weighted = |((&Node { x: q, weight, .. }, k), g): ((&Node, &f64), Complex64)| {
         (q, (g - tail_at(coefficients, kappa0, *k)) * (sinc(q * b) * weight / PI))
     };
     let nodes: Vec<(f64, Complex64)> = rule.0.iter().zip(&k).zip(u_zz(&k)).map(weighted).collect();
-    let beta_c = beta.hypot(kappa0);
     y.iter()
         .map(|y| {
             let sum: Complex64 = nodes.iter().map(|(q, g)| g * (q * y).cos()).sum();
-            let tail = known(coefficients, receiver_tail_integrals(beta_c, b, y.abs()));
-            Estimate { value: sum + tail, ..estimate }
+            Estimate { value: sum + tail_of(*y), ..estimate }
         })
         .collect()
 }
@@ -308,24 +362,21 @@ fn first_top(outline: &Outline, beta: f64, kernel: &Kernel) -> f64 {
     top.min((2.0 * highest).max(2.0 * beta).max(2000.0 * period)).min(4000.0 * period)
 }
 
-/// (1/π) ∫₀^∞ G(√(β² + q²)) C(q) dq, and the part of it that was integrated.
+/// (1/π) ∫₀^∞ G(√(β² + q²)) C(q) dq of the `compliances`, and the part of it that was integrated.
 fn integral(
-    u_zz: Compliances,
+    compliances: Compliances,
     outline: &Outline,
     beta: f64,
     kernel: &Kernel,
     relative: f64,
 ) -> (Estimate, Adaptive) {
     let beta = beta.abs();
-    let kappa0 = kernel.kappa0;
-    let coefficients = tail(outline, kappa0);
-    let tail = |k: f64| tail_at(coefficients, kappa0, k);
     let mut integrand = Together(|y: &[f64; 15]| {
         let k = y.map(|y| (beta * beta + y * y).sqrt());
-        let g = u_zz(&k);
-        std::array::from_fn(|i| (kernel.times)(y[i], g[i] - tail(k[i])))
+        let g = compliances(&k);
+        std::array::from_fn(|i| (kernel.times)(y[i], g[i] - (kernel.tail)(k[i])))
     });
-    let known = (kernel.tail)((beta * beta + kappa0 * kappa0).sqrt(), coefficients) * PI;
+    let known = kernel.known * PI;
 
     // no more than a period and a half of the kernel in a panel
     let (period, widest) = (kernel.period, 1.5 * kernel.period);
@@ -344,7 +395,7 @@ fn integral(
         loop {
             let envelope = (kernel.envelope)(top);
             let k = (beta * beta + top * top).sqrt();
-            cut = (u_zz(&[k])[0] - tail(k)).norm() * envelope * top / 5.0;
+            cut = (compliances(&[k])[0] - (kernel.tail)(k)).norm() * envelope * top / 5.0;
             let goal = 0.3 * relative * (integral.value() + known).norm();
             if cut <= goal || top > farthest {
                 break;

@@ -30,8 +30,8 @@ pub use decay_rate::{DecayRate, DecayRates};
 pub use dispersion::{Crossing, Dispersion, DispersionCurves, Shapes, ShapesAt};
 pub use equivalent_stiffness::{EquivalentStiffness, StiffnessTable};
 pub use free_field::{
-    Assessment, Building, Carrier, FreeField, Irregularity, OtherTrain, PassVelocities, Passes, Roughness,
-    SOUND,
+    Assessment, Building, Carrier, Components, FreeField, Horizontal, Irregularity, OneComponent, OtherTrain,
+    PassVelocities, Passes, Roughness, SOUND, ThreeComponents,
 };
 pub use ground_at_depth::{GroundAtDepth, GroundStates, SHALLOWEST, THRESHOLD};
 pub use passage::{ContactLaw, Passage, Passed, Running, Start, Step};

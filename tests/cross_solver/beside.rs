@@ -1,7 +1,7 @@
 //! Receivers beside a strip on the lifted path against the adaptive quadrature of the same ground on the real axis.
 
 use crate::poles::grounds;
-use groundwave::soil::{DirectStiffness, GroundSolver};
+use groundwave::soil::{DirectStiffness, GroundSolver, Motion};
 use std::f64::consts::TAU;
 
 /// Asked, of the largest value of each receiver.
@@ -20,12 +20,14 @@ fn receivers_on_the_path_are_those_of_the_axis() {
             let slowest = *ground.outline().wavenumbers.last().unwrap();
             let shares = [0.0, 0.2, 0.5, 0.8, 0.95, 1.0, 1.03, 1.3, 2.5];
             asked += 1;
-            let Some(receivers) = ground.receivers_lifted(HALF_WIDTH, y, RELATIVE) else {
+            let wanted: Vec<(f64, Motion)> =
+                Motion::ALL.iter().flat_map(|motion| y.iter().map(|y| (*y, *motion))).collect();
+            let Some(receivers) = ground.receivers_lifted(HALF_WIDTH, &wanted, RELATIVE) else {
                 refused += 1;
                 continue;
             };
             let got: Vec<_> = shares.iter().map(|share| receivers.at(share * slowest)).collect();
-            for (r, &y) in y.iter().enumerate() {
+            for (r, &(y, motion)) in wanted.iter().enumerate() {
                 let exact = |share: f64| {
                     let nepers = (share * share - 1.0).max(0.0).sqrt() * slowest * (y - HALF_WIDTH);
                     let relative = (0.03 * RELATIVE * nepers.exp()).min(0.1);
@@ -33,7 +35,7 @@ fn receivers_on_the_path_are_those_of_the_axis() {
                     if nepers > 12.0 {
                         None
                     } else {
-                        Some(ground.receiver(share * slowest, HALF_WIDTH, y, relative).value)
+                        Some(ground.beside(share * slowest, HALF_WIDTH, y, motion, relative).value)
                     }
                 };
                 let exact: Vec<_> = shares.iter().map(|share| exact(*share)).collect();
@@ -58,5 +60,7 @@ fn undamped_ground_stays_on_the_axis() {
     // waves that do not fade: the integral on the axis, with which the path is compared, does not settle
     let undamped = grounds()[0].1.with_loss(0.0);
     let ground = DirectStiffness.prepare(&undamped, 120.0, &[]).unwrap();
-    assert!(ground.receivers_lifted(HALF_WIDTH, &[5.0, 20.0], RELATIVE).is_none());
+    assert!(
+        ground.receivers_lifted(HALF_WIDTH, &[5.0, 20.0].map(|y| (y, Motion::Vertical)), RELATIVE).is_none()
+    );
 }

@@ -13,13 +13,13 @@ use crate::common::{STRIP, named, tracks};
 use groundwave::assessment::Band;
 use groundwave::contact::WheelRail;
 use groundwave::dataset::Group;
-use groundwave::field::{Section, Sections};
+use groundwave::field::{Channel, Section, Sections};
 use groundwave::foundation::LayeredSoil;
 use groundwave::irregularity::{Component, German, Realisation, Spectrum};
 use groundwave::progress::Silent;
 use groundwave::rail::{InteractionError, TrackOnFoundation};
 use groundwave::railway::{Contact, Ground, Railway, Support};
-use groundwave::soil::{DirectStiffness, GroundSolver, PreparedGround, Profile, Solver, ThinLayer};
+use groundwave::soil::{DirectStiffness, GroundSolver, Motion, PreparedGround, Profile, Solver, ThinLayer};
 use groundwave::study::{Carrier, FreeField, Irregularity, Roughness};
 use groundwave::track::Stack;
 use groundwave::vehicle::{Axle, Multibody, Train};
@@ -318,12 +318,13 @@ fn cells(bands: &[Band], per_band: usize) -> Vec<(f64, f64)> {
 /// h((±ω̃ − ω)/v, ω) of every driving frequency, at every cell.
 fn transfers(stack: &Stack, driving: &[f64], cells: &[(f64, f64)]) -> Vec<Vec<[Complex64; 2]>> {
     let profile = named("paper_layered");
+    let channels = Channel::all(&[RECEIVER], &[Motion::Vertical]);
     cells
         .par_iter()
         .map(|&(f, _)| {
             let omega = TAU * f;
             let ground = DirectStiffness.prepare(&profile, omega, &[]).unwrap();
-            let section = Section::new(stack, ground.as_ref(), STRIP, omega, &[RECEIVER]);
+            let section = Section::new(stack, (ground.as_ref(), ground.as_ref()), STRIP, omega, &channels);
             assert!(section.worst <= 1.0);
             driving.iter().map(|w| [w, &-w].map(|w| section.transfer(0, (w - omega) / SPEED))).collect()
         })
@@ -489,6 +490,7 @@ fn study(bands: &[Band], wavelengths: (f64, f64)) -> FreeField {
         speed: SPEED,
         receivers: vec![RECEIVER],
         passage_time: Some(1.0),
+        components: Default::default(),
         bands: bands.to_vec(),
         sections: None,
         assessment: Default::default(),
@@ -674,20 +676,20 @@ fn histories_of_many_profiles() {
 #[test]
 fn between_sections() {
     let (stack, profile) = (tracks::ballasted(), named("paper_layered"));
-    let receivers = [5.0, 20.0];
+    let channels = Channel::all(&[5.0, 20.0], &Motion::ALL);
     let section = |omega: f64| -> Result<Section, InteractionError> {
         let ground = DirectStiffness.prepare(&profile, omega, &[]).unwrap();
-        Ok(Section::new(&stack, ground.as_ref(), STRIP, omega, &receivers))
+        Ok(Section::new(&stack, (ground.as_ref(), ground.as_ref()), STRIP, omega, &channels))
     };
-    let sections = Sections::new((1.0, 550.0), &receivers, 1.0 / SLOW, section, &Silent).unwrap();
+    let sections = Sections::new((1.0, 550.0), &channels, 1.0 / SLOW, section, &Silent).unwrap();
     println!("{} sections", sections.count());
     assert!(sections.worst <= 1.0);
     let mut worst = 0.0f64;
     for i in 0..40 {
         let omega = 1.0 * 550f64.powf((f64::from(i) + 0.31) / 40.0);
         let (here, between) = (section(omega).unwrap(), sections.at(omega));
-        for r in 0..receivers.len() {
-            let betas: Vec<f64> = (0..60).map(|j| 1.2 * omega / SLOW * f64::from(j) / 60.0).collect();
+        for r in 0..channels.len() {
+            let betas: Vec<f64> = (-60..60).map(|j| 1.2 * omega / SLOW * f64::from(j) / 60.0).collect();
             let largest = betas.iter().map(|b| here.transfer(r, *b).norm()).fold(0.0, f64::max);
             let off = betas.iter().map(|b| (here.transfer(r, *b) - between.transfer(r, *b)).norm());
             worst = worst.max(off.fold(0.0, f64::max) / largest);

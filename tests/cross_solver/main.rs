@@ -9,6 +9,7 @@ mod contour;
 mod critical_speed;
 mod depths;
 mod free_field;
+mod horizontal;
 mod k_eq;
 mod light_damping;
 mod many_grounds;

@@ -2,7 +2,7 @@
 
 use super::PassVelocities;
 use super::guides::{draw, list, of_quantities};
-use super::metrics::{KB_F_MAXIMUM, KB_PASS, VDV, estimated, significant, where_text};
+use super::metrics::{KB_F_MAXIMUM, KB_PASS, LARGEST, VDV, estimated, significant, where_text};
 use super::pictures::figure;
 use crate::assessment::{
     Area, CLOCK, Exposure, Guide, GuideValue, Line, Period, Quantity, Reference, all_guide_values,
@@ -182,13 +182,17 @@ impl PassVelocities<'_> {
 
     /// KB_FTr and VDV of day and night at receiver number `r`, `y` m from the track.
     pub(super) fn day_answers(&self, r: usize, y: f64) -> Vec<Answer> {
-        let (place, metrics) = self.judged();
+        let (place, measured) = self.judged();
         let one = OnePass {
-            kb_f_maximum: metrics.spread(KB_F_MAXIMUM, r).2,
-            kb_pass: metrics.mean_of_powers(KB_PASS, r, 2),
-            dose: metrics.mean_of_powers(VDV, r, 4),
+            kb_f_maximum: measured.spread(KB_F_MAXIMUM, r).2,
+            kb_pass: measured.mean_of_powers(KB_PASS, r, 2),
+            dose: measured.mean_of_powers(VDV, r, 4),
         };
-        let place = if place.is_empty() { ", open ground".to_owned() } else { estimated(place) };
+        let place = match place {
+            "" => ", open ground".to_owned(),
+            LARGEST => format!(", open ground, {LARGEST}"),
+            place => estimated(place),
+        };
         let at = format!(" at {y} m{place}");
         let answers = self.study.assessment.day_answers(one, r, &format!("_{y}"), &at);
         let in_table = |answer: Answer| {
@@ -251,10 +255,12 @@ impl PassVelocities<'_> {
 fn quantity_text(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::KbFRating => {
-            "KB_FTr of all passes over 16 h of the day and 8 h of the night, vertical (DIN 4150-2 takes the largest of three \
+            "KB_FTr of all passes over 16 h of the day and 8 h of the night (DIN 4150-2 takes the largest of three \
              directions; hours of rest are not counted twice for railways)"
         }
-        _ => "Vibration dose of all passes over 16 h of the day and 8 h of the night, vertical, W_b",
+        _ => {
+            "Vibration dose of all passes over 16 h of the day and 8 h of the night, W_b vertically, W_d horizontally"
+        }
     }
 }
 

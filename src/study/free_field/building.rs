@@ -1,7 +1,7 @@
 //! Estimates of what a building makes of the motion of its ground, by tables of third octaves.
 
 use super::PassVelocities;
-use super::metrics::Metrics;
+use super::metrics::{Direction, LARGEST, Measured};
 use super::pictures::{band_figure, band_ticks, figure, steps};
 use crate::assessment::{Band, Transfer, a_weighted_level};
 use crate::concern::Concern;
@@ -31,7 +31,7 @@ pub struct Estimate {
     /// `foundation`, `floor`.
     pub place: &'static str,
     /// Measures of the histories there.
-    pub metrics: Metrics,
+    pub measured: Measured,
 }
 
 impl Building {
@@ -57,12 +57,11 @@ impl Building {
         &self,
         histories: &[Array2<f64>],
         times: Times,
-        bands: &[Band],
     ) -> Result<Vec<Estimate>, SignalError> {
         let estimate = |(place, tables): (&'static str, Vec<&Transfer>)| {
             let there = histories.iter().map(|profile| through(&tables, profile, times));
             let there = there.collect::<Result<Vec<_>, SignalError>>()?;
-            Ok(Estimate { place, metrics: Metrics::of(&there, times, bands)? })
+            Ok(Estimate { place, measured: Measured::of(&there, times, Direction::Vertical)? })
         };
         self.places().into_iter().map(estimate).collect()
     }
@@ -110,9 +109,14 @@ fn through(tables: &[&Transfer], profile: &Array2<f64>, times: Times) -> Result<
 }
 
 impl PassVelocities<'_> {
-    /// The place that days are judged at, and its measures: the last one in the building, or the open ground.
-    pub(super) fn judged(&self) -> (&'static str, &Metrics) {
-        self.estimates.last().map_or(("", &self.metrics), |estimate| (estimate.place, &estimate.metrics))
+    /// The place that days are judged at, and its measures: the last one in the building, or the open ground, where the largest of
+    /// three components is taken if they are known.
+    pub(super) fn judged(&self) -> (&'static str, &Measured) {
+        match (self.estimates.last(), &self.three) {
+            (Some(estimate), _) => (estimate.place, &estimate.measured),
+            (None, Some(three)) => (LARGEST, &three.largest),
+            (None, None) => ("", &self.metrics.measured),
+        }
     }
 
     /// r.m.s. velocity in bands at each place [m/s], receivers × bands.
@@ -207,6 +211,7 @@ impl PassVelocities<'_> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::metrics::MEASURES;
     use super::*;
 
     #[test]
@@ -219,13 +224,14 @@ mod tests {
         let pulse = |t: f64| 1e-3 * (-(t - 3.0).powi(2)).exp() * (50.0 * t).sin();
         let ground =
             Array2::from_shape_fn((2, 2000), |(r, i)| pulse(times.step * i as f64) / (1.0 + r as f64));
-        let here = Metrics::of(std::slice::from_ref(&ground), times, &bands).unwrap();
-        let estimates = building.estimates(&[ground], times, &bands).unwrap();
+        let here = Measured::of(std::slice::from_ref(&ground), times, Direction::Vertical).unwrap();
+        let estimates = building.estimates(&[ground], times).unwrap();
         assert_eq!(estimates.iter().map(|e| e.place).collect::<Vec<_>>(), ["foundation", "floor"]);
         // to rounding, through two transforms; measured 2e-14
         for there in &estimates {
-            for (a, b) in here.values.iter().zip(&there.metrics.values) {
-                assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-11 * a.abs()), "{a} {b}");
+            for (m, r) in (0..MEASURES.len()).flat_map(|m| [(m, 0), (m, 1)]) {
+                let [a, b] = [&here, &there.measured].map(|measured| measured.spread(m, r).0);
+                assert!((a - b).abs() <= 1e-11 * a.abs(), "{a} {b}");
             }
         }
         for (_, tables) in building.places() {

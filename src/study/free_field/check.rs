@@ -1,9 +1,11 @@
 //! The quasi-static part is known twice: its bands from h along β = ω/v, its history from an integral over β. They must agree.
 
+use super::components::words;
 use super::{PassVelocities, StudyError};
 use crate::assessment::{Band, rms};
 use crate::concern::Concern;
 use crate::signal::{EnergySpectrum, History};
+use ndarray::Array2;
 use std::f64::consts::PI;
 
 /// Difference of both r.m.s. velocities of a band that is too much, beside what leaks where the history is cut off: relative,
@@ -103,10 +105,17 @@ impl PassVelocities<'_> {
         let slowest = self.railway.ground()?.profile.slowest_rayleigh_speed();
         // waves of a fast load come late: they are left as they are
         let ramp = if study.speed < slowest { FADING * -self.times.first } else { 0.0 };
+        let horizontal = self.three.iter().flat_map(|three| &three.horizontal).map(|h| &h.component);
+        let components: Vec<(&Array2<f64>, &Array2<f64>, &str)> =
+            std::iter::once((&self.quasi_static, &self.energies.quasi_static, "vertically"))
+                .chain(horizontal.map(|c| (&c.quasi_static, &c.energies.quasi_static, words(c.motion).1)))
+                .collect();
+        let all = study.receivers.iter().enumerate();
+        let all = all.flat_map(|receiver| components.iter().map(move |component| (receiver, component)));
         let mut concerns = Vec::new();
-        for (r, y) in study.receivers.iter().enumerate() {
-            let history = History::new(self.times.step, self.quasi_static.velocity.row(r).to_vec())?;
-            let energies = self.energies.quasi_static.row(r);
+        for ((r, y), (history, energies, direction)) in all {
+            let history = History::new(self.times.step, history.row(r).to_vec())?;
+            let energies = energies.row(r);
             let wrong =
                 Faded::new(&history, ramp)?.contradicts(&study.bands, energies.iter().copied(), time)?;
             let (whole, all_told, all_heard) = together(&history, &study.bands, energies.sum(), time)?;
@@ -121,11 +130,11 @@ impl PassVelocities<'_> {
                 concerns.push(Concern::new(
                     "quasi-static-bands",
                     format!(
-                        "at {y} m the {which} of the moving axle loads holds {told:.2e} m/s (r.m.s. over {time:.2} s), their history \
+                        "at {y} m, {direction}, the {which} of the moving axle loads holds {told:.2e} m/s (r.m.s. over {time:.2} s), their history \
                          {heard:.2e} m/s between the same frequencies (peak {:.2e} m/s): one of them is wrong",
                         history.peak()
                     ),
-                    "do not use this result; try free_field.sections or another soil.solver, and report the case",
+                    "do not use this result; try another soil.solver, and report the case",
                 ));
             }
         }

@@ -1,14 +1,17 @@
 //! What the free field leaves in files.
 
-use super::metrics::MEASURES;
-use super::{Driven, Irregularity, PassVelocities, Roughness};
+use super::metrics::Direction;
+use super::{Driven, Irregularity, PassVelocities, Roughness, StudyError};
 use crate::assessment::PassageSpectrum;
 use crate::dataset::Group;
 use ndarray::{Array1, Array2};
 
 impl PassVelocities<'_> {
     /// Arrays of the study.
-    pub(super) fn group(&self, velocities: &[Array2<f64>; 3]) -> Group {
+    ///
+    /// # Errors
+    /// A passage time that is not positive.
+    pub(super) fn group(&self, velocities: &[Array2<f64>; 3]) -> Result<Group, StudyError> {
         let bands = self.building_arrays(self.passage_spectra(self.band_arrays(velocities)), &velocities[2]);
         let group = self.quasi_static_arrays(bands);
         match &self.study.roughness {
@@ -49,7 +52,14 @@ impl PassVelocities<'_> {
             .coordinate("time", &self.times.values(), "s", after)
             .attribute("speed", study.speed)
             .attribute("passage_time", self.passage_time)
-            .attribute("direction", "vertical, surface of the ground")
+            .attribute(
+                "direction",
+                if self.three.is_some() {
+                    "three components, surface of the ground"
+                } else {
+                    "vertical, surface of the ground"
+                },
+            )
             .attribute("weighting", "none")
             .attribute("sections", self.sections);
         let dynamic = match study.roughness.as_ref().map(|r| &r.irregularity) {
@@ -70,7 +80,7 @@ impl PassVelocities<'_> {
 
     fn quasi_static_arrays(&self, group: Group) -> Group {
         let dims = ["receiver", "time"];
-        let (velocity, kb_f) = (self.quasi_static.velocity.clone(), self.metrics.kb_f.clone());
+        let (velocity, kb_f) = (self.quasi_static.clone(), self.metrics.kb_f.clone());
         let what = "velocity of the quasi-static part, positive down";
         let severity = "KB_F(t) of the total velocity, for the first profile";
         group.variable("v_quasi_static", &dims, velocity.into_dyn(), "m s-1", what).variable(
@@ -83,14 +93,14 @@ impl PassVelocities<'_> {
     }
 
     /// Histories of the first profile, contact forces, and the measures of all profiles.
-    fn rough_arrays(&self, group: Group, roughness: &Roughness) -> Group {
+    fn rough_arrays(&self, group: Group, roughness: &Roughness) -> Result<Group, StudyError> {
         let first = &self.histories[0];
         let dims = ["receiver", "time"];
         let dynamic = "velocity of the dynamic part for the first profile, positive down";
         let total = "velocity of both parts for the first profile, positive down";
         let frequencies: Vec<f64> = self.driven.iter().map(|d| d.frequency).collect();
         let group = group
-            .variable("v_dynamic", &dims, (first - &self.quasi_static.velocity).into_dyn(), "m s-1", dynamic)
+            .variable("v_dynamic", &dims, (first - &self.quasi_static).into_dyn(), "m s-1", dynamic)
             .variable("v_total", &dims, first.clone().into_dyn(), "m s-1", total)
             .attribute("irregularity", roughness.irregularity.text())
             .attribute("band_rms", roughness.irregularity.rms())
@@ -116,13 +126,9 @@ impl PassVelocities<'_> {
         }
     }
 
-    /// Adds the measures of all histories.
-    fn measures(&self, mut group: Group, dims: &[&str]) -> Group {
-        for (measure, values) in MEASURES.iter().zip(&self.metrics.values) {
-            let values =
-                if dims.len() == 2 { values.clone().into_dyn() } else { values.row(0).to_owned().into_dyn() };
-            group = group.variable(measure.key, dims, values, measure.units, measure.what);
-        }
-        group
+    /// Adds the measures of all histories, and what horizontal components there are.
+    fn measures(&self, group: Group, dims: &[&str]) -> Result<Group, StudyError> {
+        let group = self.metrics.measured.arrays(group, dims, "", Direction::Vertical, "vertical");
+        self.component_arrays(group, dims)
     }
 }

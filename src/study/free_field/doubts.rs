@@ -1,5 +1,6 @@
 //! What the free field may be doubted for.
 
+use super::components::missing;
 use super::metrics::significant;
 use super::{Carrier, Driven, FreeField, Irregularity, PassVelocities};
 use crate::concern::Concern;
@@ -120,6 +121,7 @@ impl FreeField {
                 ));
             }
         }
+        concerns.extend(missing(self.components, &self.assessment.guides));
         let Some(roughness) = &self.roughness else { return concerns };
         let (low, high) = roughness.irregularity.wavenumbers();
         let (shortest, longest) = (TAU / high, TAU / low);

@@ -76,7 +76,7 @@ impl PassVelocities<'_> {
 
     fn guide_figure(&self, of: &Comparison) -> (Figure, String) {
         let study = self.study;
-        let (place, metrics) = self.judged();
+        let (place, measured) = self.judged();
         let measure = &MEASURES[of.measure];
         let (unit, scale) = match measure.unit() {
             _ if of.level => ("VdB re 1 µin/s", 1.0),
@@ -93,7 +93,7 @@ impl PassVelocities<'_> {
         let points = |name: &str, pick: fn((f64, f64, f64)) -> f64, stroke| Series {
             name: name.into(),
             x: study.receivers.clone(),
-            y: (0..study.receivers.len()).map(|r| convert(pick(metrics.spread(of.measure, r)))).collect(),
+            y: (0..study.receivers.len()).map(|r| convert(pick(measured.spread(of.measure, r)))).collect(),
             stroke,
         };
         if self.histories.len() > 1 {

@@ -5,6 +5,7 @@ use crate::assessment::{
     kb_f_maximum, maximum_running_rms, passage_spectrum, peak_velocity, peak_velocity_within, vibration_dose,
     weighted_velocity,
 };
+use crate::dataset::Group;
 use crate::field::Times;
 use crate::signal::{History, SignalError};
 use ndarray::Array2;
@@ -112,16 +113,24 @@ pub fn told(guides: &[Guide]) -> Vec<usize> {
     told
 }
 
+/// What stands in the place of a place where it is the open ground and its three components.
+pub const LARGEST: &str = "largest of three components";
+
 /// ", floor, estimate"; nothing of the open ground.
 pub fn estimated(place: &str) -> String {
-    if place.is_empty() { String::new() } else { format!(", {place}, estimate") }
+    match place {
+        "" => String::new(),
+        LARGEST => format!(", {LARGEST}"),
+        place => format!(", {place}, estimate"),
+    }
 }
 
 /// Where something was found.
 pub fn where_text(place: &str) -> String {
     match place {
-        "" => "on the ground's surface without a building".to_owned(),
-        place => format!("on the {place}, estimated by table"),
+        "" => "vertical, on the ground's surface without a building".to_owned(),
+        LARGEST => format!("{LARGEST}, on the ground's surface without a building"),
+        place => format!("vertical, on the {place}, estimated by table"),
     }
 }
 
@@ -130,13 +139,13 @@ fn kb_pass(velocity: &History) -> f64 {
     clock_maxima(&kb_f(velocity)).iter().map(|kb| kb * kb).sum::<f64>().sqrt()
 }
 
-/// The measures, all of the vertical velocity of the ground's surface.
+/// The measures of one component of the velocity of the ground's surface.
 pub const MEASURES: [Measure; 12] = [
     Measure {
         key: "peak_velocity",
         symbol: "PPV",
         units: "m s-1",
-        what: "peak particle velocity, vertical, unweighted",
+        what: "peak particle velocity, unweighted",
         of: |v, _| peak_velocity(v),
     },
     Measure {
@@ -193,14 +202,14 @@ pub const MEASURES: [Measure; 12] = [
         key: "peak_velocity_1_80_hz",
         symbol: "PPV (1 to 80 Hz)",
         units: "m s-1",
-        what: "peak particle velocity, vertical, 1 to 80 Hz of DIN 45669-1",
+        what: "peak particle velocity, 1 to 80 Hz of DIN 45669-1",
         of: |v, _| peak_velocity_within(v, WorkingRange::To80),
     },
     Measure {
         key: "peak_velocity_1_315_hz",
         symbol: "PPV (1 to 315 Hz)",
         units: "m s-1",
-        what: "peak particle velocity, vertical, 1 to 315 Hz of DIN 45669-1",
+        what: "peak particle velocity, 1 to 315 Hz of DIN 45669-1",
         of: |v, _| peak_velocity_within(v, WorkingRange::To315),
     },
     Measure {
@@ -219,33 +228,92 @@ pub const MEASURES: [Measure; 12] = [
     },
 ];
 
-/// The measures of all histories.
+/// The measures of all histories of one component: for each of [`MEASURES`] profiles × receivers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured(Vec<Array2<f64>>);
+
+/// What the vertical motion is to people and to standards.
 pub struct Metrics {
-    /// One for each of [`MEASURES`]: profiles × receivers.
-    pub values: Vec<Array2<f64>>,
+    /// Its measures.
+    pub measured: Measured,
     /// KB_F(t) for the first profile, receivers × times.
     pub kb_f: Array2<f64>,
     /// Third octaves of the first profile, for each receiver.
     pub spectra: Vec<PassageSpectrum>,
 }
 
-impl Metrics {
-    /// Of velocities [m/s], receivers × times, of each profile, and their third octaves in `bands`.
+impl Measured {
+    /// Of velocities [m/s], receivers × times, of each profile.
     ///
     /// # Errors
     /// A velocity that is not a number.
-    pub fn of(histories: &[Array2<f64>], times: Times, bands: &[Band]) -> Result<Self, SignalError> {
+    pub fn of(histories: &[Array2<f64>], times: Times, direction: Direction) -> Result<Self, SignalError> {
         let receivers = histories[0].nrows();
         let rows: Vec<Vec<f64>> = (0..histories.len() * receivers)
             .into_par_iter()
             .map(|i| {
                 let row = histories[i / receivers].row(i % receivers);
                 let history = History::new(times.step, row.to_vec())?;
-                Ok(MEASURES.iter().map(|m| m.of(&history, Direction::Vertical)).collect())
+                Ok(MEASURES.iter().map(|m| m.of(&history, direction)).collect())
             })
             .collect::<Result<_, SignalError>>()?;
         let shape = (histories.len(), receivers);
         let table = |m: usize| Array2::from_shape_fn(shape, |(i, r)| rows[i * receivers + r][m]);
+        Ok(Self((0..MEASURES.len()).map(table).collect()))
+    }
+
+    /// The larger one of each, where directions are weighed as they should be.
+    pub fn larger_of(mut self, other: &Self) -> Self {
+        for (one, other) in self.0.iter_mut().zip(&other.0) {
+            one.zip_mut_with(other, |a, b| *a = a.max(*b));
+        }
+        self
+    }
+
+    /// Adds them as variables along `dims`, profile and receiver or receiver alone; their names end in `suffix`.
+    pub fn arrays(
+        &self,
+        mut group: Group,
+        dims: &[&str],
+        suffix: &str,
+        direction: Direction,
+        words: &str,
+    ) -> Group {
+        for (measure, values) in MEASURES.iter().zip(&self.0) {
+            let values =
+                if dims.len() == 2 { values.clone().into_dyn() } else { values.row(0).to_owned().into_dyn() };
+            let what = match direction {
+                Direction::Vertical => measure.what.to_owned(),
+                Direction::Horizontal => measure.what.replace("W_b,", "W_d,"),
+            };
+            let what = format!("{what}, {words}");
+            group = group.variable(&format!("{}{suffix}", measure.key), dims, values, measure.units, &what);
+        }
+        group
+    }
+
+    /// ⟨xⁿ⟩^{1/n} over the profiles, of measure number `m` at receiver number `r`.
+    pub fn mean_of_powers(&self, m: usize, r: usize, n: i32) -> f64 {
+        let column = self.0[m].column(r);
+        (column.iter().map(|x| x.powi(n)).sum::<f64>() / column.len() as f64).powf(1.0 / f64::from(n))
+    }
+
+    /// Mean, least and largest over the profiles, of measure number `m` at receiver number `r`.
+    pub fn spread(&self, m: usize, r: usize) -> (f64, f64, f64) {
+        let column = self.0[m].column(r);
+        let mean = column.iter().sum::<f64>() / column.len() as f64;
+        let least = column.iter().copied().fold(f64::INFINITY, f64::min);
+        (mean, least, column.iter().copied().fold(0.0, f64::max))
+    }
+}
+
+impl Metrics {
+    /// Of vertical velocities [m/s], receivers × times, of each profile, and their third octaves in `bands`.
+    ///
+    /// # Errors
+    /// A velocity that is not a number.
+    pub fn of(histories: &[Array2<f64>], times: Times, bands: &[Band]) -> Result<Self, SignalError> {
+        let receivers = histories[0].nrows();
         let first: Vec<History> = histories[0]
             .rows()
             .into_iter()
@@ -253,23 +321,9 @@ impl Metrics {
             .collect::<Result<_, SignalError>>()?;
         let kb_f: Vec<History> = first.iter().map(kb_f).collect();
         Ok(Self {
-            values: (0..MEASURES.len()).map(table).collect(),
+            measured: Measured::of(histories, times, Direction::Vertical)?,
             kb_f: Array2::from_shape_fn((receivers, times.count), |(r, i)| kb_f[r].values()[i]),
             spectra: first.iter().map(|velocity| passage_spectrum(velocity, bands)).collect(),
         })
-    }
-
-    /// ⟨xⁿ⟩^{1/n} over the profiles, of measure number `m` at receiver number `r`.
-    pub fn mean_of_powers(&self, m: usize, r: usize, n: i32) -> f64 {
-        let column = self.values[m].column(r);
-        (column.iter().map(|x| x.powi(n)).sum::<f64>() / column.len() as f64).powf(1.0 / f64::from(n))
-    }
-
-    /// Mean, least and largest over the profiles, of measure number `m` at receiver number `r`.
-    pub fn spread(&self, m: usize, r: usize) -> (f64, f64, f64) {
-        let column = self.values[m].column(r);
-        let mean = column.iter().sum::<f64>() / column.len() as f64;
-        let least = column.iter().copied().fold(f64::INFINITY, f64::min);
-        (mean, least, column.iter().copied().fold(0.0, f64::max))
     }
 }

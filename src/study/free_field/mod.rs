@@ -12,6 +12,7 @@
 pub(in crate::study) mod assessed;
 mod building;
 mod check;
+mod components;
 mod dataset;
 mod doubts;
 mod guides;
@@ -23,6 +24,7 @@ mod shown;
 
 pub use assessed::{Assessment, OtherTrain, Passes};
 pub use building::{Building, SOUND};
+pub use components::{Components, Horizontal, OneComponent, ThreeComponents};
 pub use roughness::{Carrier, Irregularity, Roughness};
 
 use super::contour::check_memory;
@@ -52,6 +54,8 @@ pub struct FreeField {
     /// T [s], over which the energy of the pass is averaged; None: the train's length and twice the farthest receiver's distance,
     /// over v.
     pub passage_time: Option<f64>,
+    /// Directions of the motion.
+    pub components: Components,
     /// Third-octave bands, one after another.
     pub bands: Vec<Band>,
     /// None: the quasi-static part alone.
@@ -85,6 +89,11 @@ fn missed(integrals: f64, forces: f64) -> Vec<Concern> {
         )
     });
     integrals.into_iter().chain(forces).collect()
+}
+
+/// Error of an integral over what was allowed, where it is largest.
+fn worst_of(quasi_static: &QuasiStatic, load: &ConstantLoad, sections: Option<&Sections>) -> f64 {
+    quasi_static.worst.max(load.worst()).max(sections.map_or(0.0, |sections| sections.worst))
 }
 
 impl FreeField {
@@ -121,8 +130,6 @@ impl FreeField {
             Some(sections) => ConstantLoad::Fast(sections),
             None => ConstantLoad::Slow(SlowLoad::new(&pass, stack, of_ground, strip)?),
         };
-        let across_worst = sections.as_ref().map_or(0.0, |sections| sections.worst);
-        let worst = quasi_static.worst.max(load.worst()).max(across_worst);
         let smooth = Shaken {
             energies: PassEnergy::quasi_static(&pass, &load),
             histories: vec![quasi_static.velocity.clone()],
@@ -136,8 +143,13 @@ impl FreeField {
             }
             _ => smooth,
         };
-        let metrics = metrics::Metrics::of(&histories, times, &self.bands)?;
-        let estimates = self.building.estimates(&histories, times, &self.bands)?;
+        let worst = worst_of(&quasi_static, &load, sections.as_ref());
+        let (vertical, horizontal) =
+            OneComponent::split(pass.motions, (&energies, &quasi_static.velocity, &histories));
+        let metrics = metrics::Metrics::of(&vertical.histories, times, &self.bands)?;
+        let estimates = self.building.estimates(&vertical.histories, times)?;
+        let three = ThreeComponents::of(&vertical, &metrics.measured, horizontal, times)?;
+        let OneComponent { energies, quasi_static, histories, .. } = vertical;
         Ok(PassVelocities {
             study: self,
             railway,
@@ -148,6 +160,7 @@ impl FreeField {
             histories,
             times,
             metrics,
+            three,
             estimates,
             driven,
             sections: sections.as_ref().filter(|s| s.lifted()).map_or(otherwise, |_| ground.solver).name(),
@@ -169,8 +182,8 @@ impl FreeField {
         concerns.extend(missed(answer.worst, answer.forces_worst));
         let velocities = answer.energies.velocities(answer.passage_time)?;
         Ok(Outcome {
-            group: answer.group(&velocities),
-            figures: answer.figures(&velocities),
+            group: answer.group(&velocities)?,
+            figures: answer.figures(&velocities)?,
             answers: answer.answers(&velocities)?,
             concerns,
         })
@@ -178,7 +191,13 @@ impl FreeField {
 
     /// The pass of `train`.
     fn pass<'a>(&'a self, train: &'a Train) -> Pass<'a> {
-        Pass { speed: self.speed, train, receivers: &self.receivers, bands: &self.bands }
+        Pass {
+            speed: self.speed,
+            train,
+            receivers: &self.receivers,
+            motions: self.components.motions(),
+            bands: &self.bands,
+        }
     }
 
     /// The axles, which are those of the bodies.
@@ -209,8 +228,8 @@ impl FreeField {
             Some(Irregularity::Random { count, .. }) => *count,
             _ => 1,
         };
-        // a history, and an eighth of it as complex harmonics, for each profile and receiver
-        let (samples, histories) = (pass.times().count, profiles * self.receivers.len());
+        // a history, and an eighth of it as complex harmonics, for each profile and channel
+        let (samples, histories) = (pass.times().count, profiles * pass.channels().len());
         check_memory("histories", (samples, histories), 16 * (samples as u64) * (histories as u64))
     }
 }
@@ -242,13 +261,15 @@ pub struct PassVelocities<'a> {
     pub passage_time: f64,
     /// Energies in third octaves.
     pub energies: PassEnergy,
-    /// Velocity [m/s] of the axle loads alone.
-    pub quasi_static: QuasiStatic,
+    /// Velocity [m/s] of the axle loads alone, positive down, receivers × times.
+    pub quasi_static: Array2<f64>,
     /// Total velocity [m/s], positive down, of each profile, receivers × times.
     pub histories: Vec<Array2<f64>>,
     /// Times of the histories.
     pub times: Times,
     metrics: metrics::Metrics,
+    /// Horizontal components, where they are wanted.
+    pub three: Option<ThreeComponents>,
     estimates: Vec<building::Estimate>,
     driven: Vec<Driven>,
     /// Name of the solver that answered across the track.

@@ -1,6 +1,7 @@
 //! What a reader sees of the free field: answers and pictures.
 
-use super::metrics::{MEASURES, Metrics, V_SLOW_MAXIMUM, estimated, significant, told};
+use super::components::COMPONENTS_TABLE;
+use super::metrics::{MEASURES, Measured, V_SLOW_MAXIMUM, estimated, significant, told};
 use super::pictures::{band_figure, figure, seen, steps};
 use super::{Irregularity, PassVelocities};
 use crate::assessment::{Band, Level, Reference};
@@ -16,13 +17,15 @@ impl PassVelocities<'_> {
             answers.push(self.level_answer(velocities, r, *y)?);
             answers.extend(self.band_answers(velocities, r, *y));
             for m in told(&self.study.assessment.guides) {
-                answers.push(self.measure_answer(m, r, *y, ("", &self.metrics))?);
+                answers.push(self.measure_answer(m, r, *y, ("", "", &self.metrics.measured))?);
             }
             for estimate in &self.estimates {
                 for m in told(&self.study.assessment.guides) {
-                    answers.push(self.measure_answer(m, r, *y, (estimate.place, &estimate.metrics))?);
+                    let place = (estimate.place, estimate.place, &estimate.measured);
+                    answers.push(self.measure_answer(m, r, *y, place)?);
                 }
             }
+            answers.extend(self.component_answers(r, *y)?);
             answers.extend(self.noise_answer(&velocities[2], r, *y));
             answers.extend(self.day_answers(r, *y));
         }
@@ -106,34 +109,49 @@ impl PassVelocities<'_> {
         answers
     }
 
-    /// Measure number `m` at a place: its mean over the profiles, and from where to where it reaches.
-    fn measure_answer(
+    /// The table of measures of one pass.
+    pub(super) fn measures_table(&self, of: &str) -> String {
+        let spread = match self.histories.len() {
+            1 => String::new(),
+            count => format!(": mean (least to largest of {count} profiles)"),
+        };
+        format!("Measures of one pass, {of}{spread}")
+    }
+
+    /// Measure number `m` at a place or of a component, with its key and words: its mean over the profiles, and from where to where it
+    /// reaches.
+    pub(super) fn measure_answer(
         &self,
         m: usize,
         r: usize,
         y: f64,
-        (place, metrics): (&str, &Metrics),
+        (key, words, measured): (&str, &str, &Measured),
     ) -> Result<Answer, StudyError> {
         let measure = &MEASURES[m];
-        let (mean, least, most) = metrics.spread(m, r);
+        let (mean, least, most) = measured.spread(m, r);
         let (mut shown, mut cell) = (measure.shown(mean), measure.number(mean));
-        let mut table = "Measures of one pass, ".to_owned();
-        table += &if place.is_empty() { "open ground".to_owned() } else { format!("{place}, estimate") };
+        let component = ["along", "across", "largest"].contains(&key);
+        let (table, said) = match key {
+            "" => (self.measures_table("vertical, open ground"), String::new()),
+            _ if component => (self.measures_table(COMPONENTS_TABLE), format!(", {words}")),
+            _ => (self.measures_table(&format!("vertical, {words}, estimate")), estimated(words)),
+        };
         if self.histories.len() > 1 {
             let (least, most) = (measure.number(least), measure.number(most));
             shown = format!("{shown}, {least} to {most} in {} profiles", self.histories.len());
             cell = format!("{cell} ({least} to {most})");
-            table += &format!(": mean (least to largest of {} profiles)", self.histories.len());
         }
         if m == V_SLOW_MAXIMUM && mean > 0.0 {
             shown = format!("{shown}; {}", Level::of(mean, Reference::VdB)?);
         }
-        let what = format!("{} at {y} m{}", measure.symbol, estimated(place));
-        let key = if place.is_empty() { measure.key.to_owned() } else { format!("{}_{place}", measure.key) };
+        let what = format!("{} at {y} m{said}", measure.symbol);
+        let key = if key.is_empty() { measure.key.to_owned() } else { format!("{}_{key}", measure.key) };
+        let symbol =
+            if component { format!("{}, {words}", measure.symbol) } else { measure.symbol.to_owned() };
         let heading = match measure.unit() {
-            "1" => measure.symbol.to_owned(),
-            "m/s" => format!("{} [mm/s]", measure.symbol),
-            unit => format!("{} [{unit}]", measure.symbol),
+            "1" => symbol,
+            "m/s" => format!("{symbol} [mm/s]"),
+            unit => format!("{symbol} [{unit}]"),
         };
         let answer = Answer::new(&format!("{key}_{y}"), what, mean, measure.unit(), shown);
         Ok(answer.in_table(Self::row(table, y, [(&heading, cell)])))
@@ -151,15 +169,19 @@ impl PassVelocities<'_> {
     }
 
     /// Bands of each receiver and of all, velocity against distance, contact force, histories, measures beside guide values.
-    pub(super) fn figures(&self, velocities: &[Array2<f64>; 3]) -> Vec<(Figure, String)> {
+    ///
+    /// # Errors
+    /// A passage time that is not positive.
+    pub(super) fn figures(&self, velocities: &[Array2<f64>; 3]) -> Result<Vec<(Figure, String)>, StudyError> {
         let mut figures = self.band_figures(velocities);
         figures.extend(self.building_figures(&velocities[2]));
         figures.extend(self.profile_figures());
         figures.extend(self.force_figure());
         figures.extend(self.history_figures());
+        figures.extend(self.component_figures()?);
         figures.extend(self.guide_figures());
         figures.extend(self.day_figures());
-        figures
+        Ok(figures)
     }
 
     fn band_figures(&self, velocities: &[Array2<f64>; 3]) -> Vec<(Figure, String)> {
@@ -232,7 +254,7 @@ impl PassVelocities<'_> {
     }
 
     /// First and one after the last sample at which KB_F is above 2 % of its largest value anywhere.
-    fn felt(&self) -> (usize, usize) {
+    pub(super) fn felt(&self) -> (usize, usize) {
         let kb_f = &self.metrics.kb_f;
         let least = 0.02 * kb_f.iter().copied().fold(0.0, f64::max);
         let felt = |i: &usize| kb_f.column(*i).iter().any(|kb| *kb > least);
@@ -261,7 +283,7 @@ impl PassVelocities<'_> {
             if study.roughness.is_some() {
                 picture.series.push(series("total", &self.histories[0], Stroke::Solid));
             }
-            picture.series.push(series("quasi-static", &self.quasi_static.velocity, Stroke::Dashed));
+            picture.series.push(series("quasi-static", &self.quasi_static, Stroke::Dashed));
             figures.push((Figure::Lines(picture), format!("Vertical velocity. {}", self.which())));
         }
         let title = format!("KB_F(t), {at}");

@@ -121,8 +121,7 @@ impl MeasuredHistory {
             );
         for (m, measure) in MEASURES.iter().enumerate() {
             let values = judged.iter().map(|j| j.measures[m]).collect::<Array1<f64>>().into_dyn();
-            let what =
-                measure.what.replace(", vertical", "").replace("W_b,", "W_b vertically, W_d horizontally,");
+            let what = measure.what.replace("W_b,", "W_b vertically, W_d horizontally,");
             group = group.variable(measure.key, &["direction"], values, measure.units, &what);
         }
         group
