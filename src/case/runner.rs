@@ -175,13 +175,15 @@ fn write_arrays(
     folder: &Path,
 ) -> Result<(), RunError> {
     let groups = outcomes.iter().map(|(_, o)| &o.group).collect();
-    hdf5::write(&Dataset { attributes, groups }, &folder.join(name))?;
-    for (_, outcome) in outcomes {
+    let tables = |(_, outcome): &(_, Outcome)| {
         csv::write(&outcome.group, folder, options.csv_maps)?;
-        if options.vti {
-            vti::write(&outcome.group, folder)?;
-        }
-    }
+        if options.vti { vti::write(&outcome.group, folder) } else { Ok(()) }
+    };
+    let (arrays, tables) = rayon::join(
+        || hdf5::write(&Dataset { attributes, groups }, &folder.join(name)),
+        || outcomes.par_iter().try_for_each(tables),
+    );
+    arrays.and(tables)?;
     // drawing a PNG takes longer than most answers
     Ok(drawings.par_iter().try_for_each(|drawing| drawing.picture.write(folder))?)
 }

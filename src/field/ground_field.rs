@@ -186,12 +186,13 @@ impl GroundField<'_> {
             let lines = field.as_slice_mut().unwrap_or(&mut []).par_chunks_mut(columns);
             lines.zip(&distinct).for_each(|(line, &j)| images.add(&mut line[..x.len()], &x, y[j], &axles));
             let mut value = Array2::zeros((y.len(), x.len()));
-            for (j, mut row) in value.outer_iter_mut().enumerate() {
-                let place = mirrored.places[j];
-                let turned = quantity == Quantity::Across && y[j] * y[distinct[place]] < 0.0;
+            let of_place: Vec<f64> = distinct.iter().map(|j| y[*j]).collect();
+            let rows = value.as_slice_mut().unwrap_or(&mut []).par_chunks_mut(x.len());
+            rows.zip(&mirrored.places).zip(&y).for_each(|((row, &place), y)| {
+                let turned = quantity == Quantity::Across && y * of_place[place] < 0.0;
                 let sign = if turned { -1.0 } else { 1.0 };
                 row.iter_mut().zip(field.row(place)).for_each(|(value, u)| *value = sign * u);
-            }
+            });
             let in_window = largest(value.view());
             wrap_around = wrap_around.max(remainder / in_window);
             // the truncated part stands at the edges of the strip, be they in the window or not

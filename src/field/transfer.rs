@@ -14,6 +14,7 @@ use crate::rail::{NEGLIGIBLE, decay};
 use crate::soil::{Motion, PreparedGround, Strip};
 use crate::track::Stack;
 use num_complex::Complex64;
+use std::cell::LazyCell;
 
 /// h of a track on a strip of ground.
 pub struct Transfer<'a> {
@@ -95,14 +96,18 @@ impl<'a> Transfer<'a> {
         }
         let under = self.compliance(beta, relative);
         let force = self.force(beta, under.value);
-        let vertical = channels.iter().filter(|c| c.motion == Motion::Vertical && arrives(c));
-        let heard: Vec<f64> = vertical.map(|channel| channel.y).collect();
+        let vertical = |channel: &Channel| channel.motion == Motion::Vertical && arrives(channel);
+        let heard: Vec<f64> = channels.iter().filter(|c| vertical(c)).map(|channel| channel.y).collect();
         // one integral for all that move vertically; those so much quieter than the nearest that they are not known by it have one of their own
-        let mut all = self.receivers(beta, &heard, relative).into_iter();
-        let mut h = |&Channel { y, motion }: &Channel| {
-            let alone = || self.ground.beside(beta, self.strip.half_width, y, motion, relative);
-            let shared = if motion == Motion::Vertical { all.next() } else { None };
-            let known = shared.filter(|beside| beside.error <= relative * beside.value.norm());
+        let shared = LazyCell::new(|| self.receivers(beta, &heard, relative));
+        let h = |&Channel { y, motion }: &Channel| {
+            let half_width = self.strip.half_width;
+            let fading = self.ground.evanescent(beta, half_width, (y, motion), relative);
+            let known = fading.or_else(|| {
+                let place = heard.iter().position(|other| *other == y && motion == Motion::Vertical)?;
+                Some(shared[place]).filter(|beside| beside.error <= relative * beside.value.norm())
+            });
+            let alone = || self.ground.beside(beta, half_width, y, motion, relative);
             let beside = known.unwrap_or_else(alone);
             (force * beside.value, under.miss(least).max(beside.miss(least)))
         };

@@ -6,6 +6,7 @@
 use ndarray::Array2;
 use num_complex::Complex64;
 use rayon::prelude::*;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::{Fft, FftDirection, FftPlanner};
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
@@ -113,7 +114,7 @@ pub fn inverse_2d<E: Send>(
     // of every m-th position the spectra N/m apart are one: Σ_q ũ(n + qN/m)
     let (less_y, n_x) = (n_y / wanted.thinning.0, x.period_count / wanted.thinning.1);
     let along_y = plan(less_y, FftDirection::Inverse);
-    let along_x = realfft::RealFftPlanner::new().plan_fft_inverse(n_x);
+    let along_x = plan_real(n_x).1;
     let scale = x.beta_step() * y.beta_step() / (4.0 * PI * PI);
     let shift_y: Vec<Complex64> = (0..n_y).map(|n| y.shift(n)).collect();
     let buffers = || vec![vec![Complex64::ZERO; n_y]; fields];
@@ -201,31 +202,51 @@ fn plan(size: usize, direction: FftDirection) -> Arc<dyn Fft<f64>> {
     PLANS.with_borrow_mut(|plans| plans.plan_fft(size, direction))
 }
 
+/// The same of `size` real numbers, to and from half a spectrum.
+fn plan_real(size: usize) -> (Arc<dyn RealToComplex<f64>>, Arc<dyn ComplexToReal<f64>>) {
+    thread_local! {
+        static PLANS: RefCell<RealFftPlanner<f64>> = RefCell::new(RealFftPlanner::new());
+    }
+    PLANS.with_borrow_mut(|plans| (plans.plan_fft_forward(size), plans.plan_fft_inverse(size)))
+}
+
+/// Σ_j u_j e^{−2πi n j/N}, n = 0 … N/2, of `values` times `scale`, continued by zeros to N = `count`.
+fn forward(values: &[f64], scale: f64, count: usize) -> Vec<Complex64> {
+    let transform = plan_real(count).0;
+    let mut samples: Vec<f64> = values.iter().map(|u| u * scale).collect();
+    samples.resize(count, 0.0);
+    let mut spectrum = transform.make_output_vec();
+    // never fails: the lengths are those of the plan
+    let _ = transform.process(&mut samples, &mut spectrum);
+    spectrum
+}
+
+/// Σ_n û_n e^{2πi n j/N} of all n, j = 0 … N − 1, N = `count`, from those of n = 0 … N/2, whose ends are taken as real.
+fn inverse(mut spectrum: Vec<Complex64>, count: usize) -> Vec<f64> {
+    let transform = plan_real(count).1;
+    // a real history has real ends of its half-spectrum
+    for end in [0, count / 2] {
+        spectrum[end].im = 0.0;
+    }
+    let mut values = transform.make_output_vec();
+    // never fails: the lengths are those of the plan
+    let _ = transform.process(&mut spectrum, &mut values);
+    values
+}
+
 /// û(f_n) = Δt Σ_j u_j e^{−2πi n j/N}, f_n = n/(N Δt), n = 0 … N/2, of samples `values` at t_j = j Δt, Δt = `step` [s],
 /// continued by zeros to N = `period_count` samples (even, at least as many as there are): ∫ u e^{−iωt} dt of the history.
 pub fn half_spectrum(values: &[f64], step: f64, period_count: usize) -> Vec<Complex64> {
-    let mut spectrum: Vec<Complex64> = values.iter().map(|u| Complex64::from(u * step)).collect();
-    spectrum.resize(period_count, Complex64::ZERO);
-    plan(period_count, FftDirection::Forward).process(&mut spectrum);
-    spectrum.truncate(period_count / 2 + 1);
-    spectrum
+    forward(values, step, period_count)
 }
 
 /// The reverse: u(t_j) = ∫ û e^{2πift} df at t_j = j Δt, Δt = `step` [s], j = 0 … N − 1, N = `period_count` (even), from û(f_n),
 /// n = 0 … N/2, or fewer: the rest is zero. The history repeats after N Δt.
 pub fn from_half_spectrum(spectrum: &[Complex64], step: f64, period_count: usize) -> Vec<f64> {
-    let half = period_count / 2;
-    let mut whole = vec![Complex64::ZERO; period_count];
-    for (n, u) in spectrum.iter().enumerate().take(half + 1) {
-        let u = u / (step * period_count as f64);
-        if n == 0 || n == half {
-            whole[n] = Complex64::from(u.re);
-        } else {
-            (whole[n], whole[period_count - n]) = (u, u.conj());
-        }
-    }
-    plan(period_count, FftDirection::Inverse).process(&mut whole);
-    whole.iter().map(|u| u.re).collect()
+    let scale = 1.0 / (step * period_count as f64);
+    let mut half: Vec<Complex64> = spectrum.iter().map(|u| u * scale).collect();
+    half.resize(period_count / 2 + 1, Complex64::ZERO);
+    inverse(half, period_count)
 }
 
 /// ∫ û(f) H(f) e^{2πift} df: `values` sampled at `step` [s], continued by zeros to `period_count` samples (even), through the
@@ -238,23 +259,14 @@ pub fn filter(
     period_count: usize,
     transfer: impl Fn(f64) -> Complex64,
 ) -> Vec<f64> {
-    let mut spectrum: Vec<Complex64> = values.iter().copied().map(Complex64::from).collect();
-    spectrum.resize(period_count, Complex64::ZERO);
-    plan(period_count, FftDirection::Forward).process(&mut spectrum);
-    let half = period_count / 2;
+    let mut spectrum = forward(values, 1.0 / period_count as f64, period_count);
     let df = 1.0 / (period_count as f64 * step);
-    for n in 0..=half {
-        let h = transfer(n as f64 * df) / period_count as f64;
-        if n == 0 || n == half {
-            // a real history has real ends of its half-spectrum
-            spectrum[n] *= h.re;
-        } else {
-            spectrum[n] *= h;
-            spectrum[period_count - n] *= h.conj();
-        }
+    for (n, value) in spectrum.iter_mut().enumerate() {
+        *value *= transfer(n as f64 * df);
     }
-    plan(period_count, FftDirection::Inverse).process(&mut spectrum);
-    spectrum[..values.len()].iter().map(|u| u.re).collect()
+    let mut filtered = inverse(spectrum, period_count);
+    filtered.truncate(values.len());
+    filtered
 }
 
 #[cfg(test)]

@@ -31,37 +31,66 @@ pub(super) struct InPlane<S: Simd> {
     pub cost: f64x8<S>,
 }
 
-/// One of these.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Element {
-    Xz = 1,
-    Zz = 2,
-}
+/// Places of u_xz and u_zz among these.
+pub(super) const XZ: usize = 1;
+pub(super) const ZZ: usize = 2;
 
 impl Batch<'_> {
-    /// One `element` [m/Pa] at `k` [rad/m]; None where one has lost too many digits, its cost above `most`.
-    pub fn element(&self, element: Element, k: &[f64], most: f64) -> Vec<Option<Complex64>> {
-        dispatch!(Level::new(), simd => self.all(simd, element, k, most))
+    /// The element at one place [m/Pa] at `k` [rad/m]; None where one has lost too many digits, its cost above `most`. The place is known
+    /// when this is compiled: the others are then not computed.
+    pub fn element<const PLACE: usize>(&self, k: &[f64], most: f64) -> Vec<Option<Complex64>> {
+        dispatch!(Level::new(), simd => self.all::<_, PLACE>(simd, k, most))
     }
 
     #[inline(always)]
-    fn all<S: Simd>(&self, simd: S, element: Element, k: &[f64], most: f64) -> Vec<Option<Complex64>> {
+    fn all<S: Simd, const PLACE: usize>(&self, simd: S, k: &[f64], most: f64) -> Vec<Option<Complex64>> {
         let mut all = Vec::with_capacity(k.len());
         for eight in k.chunks(LANES) {
             let k = f64x8::from_fn(simd, |i| eight[i.min(eight.len() - 1)]);
             let none = f64x8::splat(simd, 0.0);
             let found = self.in_plane(simd, Lanes { re: k, im: none }, Lanes { re: k * k, im: none });
-            let lane = |i: usize| (found.cost[i] < most).then(|| found.compliance[element as usize].lane(i));
+            let lane = |i: usize| (found.cost[i] < most).then(|| found.compliance[PLACE].lane(i));
             all.extend((0..eight.len()).map(lane));
         }
         all
+    }
+
+    /// u_xz/k and u_zz at squares of k, complex; None where one has lost too many digits, its cost above `most`.
+    pub fn at_squares(&self, k2: &[Complex64], most: f64) -> Option<Vec<(Complex64, Complex64)>> {
+        dispatch!(Level::new(), simd => self.all_at_squares(simd, k2, most))
+    }
+
+    #[inline(always)]
+    fn all_at_squares<S: Simd>(
+        &self,
+        simd: S,
+        k2: &[Complex64],
+        most: f64,
+    ) -> Option<Vec<(Complex64, Complex64)>> {
+        let mut all = Vec::with_capacity(k2.len());
+        for eight in k2.chunks(LANES) {
+            let of = |i: usize| eight[i.min(eight.len() - 1)];
+            let k2 = Lanes { re: f64x8::from_fn(simd, |i| of(i).re), im: f64x8::from_fn(simd, |i| of(i).im) };
+            let k = k2.sqrt_decaying();
+            let found = self.in_plane(simd, k, k2);
+            if !found.cost.simd_lt(most).all_true() {
+                return None;
+            }
+            let horizontal = found.compliance[XZ] * k.inv();
+            all.extend((0..eight.len()).map(|i| (horizontal.lane(i), found.compliance[ZZ].lane(i))));
+        }
+        Some(all)
     }
 
     /// In-plane compliance at the surface at `k` and its square: S ← M(B − C (B + S)⁻¹ C)M from the base upward, inverted.
     #[inline(always)]
     pub fn in_plane<S: Simd>(&self, simd: S, k: Lanes<S>, k2: Lanes<S>) -> InPlane<S> {
         count::add(Work::Compliances, LANES);
-        let mut below = self.half_space.map(|wave| half_space(simd, wave, k, k2));
+        let mut below = None;
+        // no closure: called from several places it would be a function of its own, and know nothing of the instruction set
+        if let Some(wave) = self.half_space {
+            below = Some(half_space(simd, wave, k, k2));
+        }
         let mut largest = f64x8::splat(simd, 0.0);
         for (wave, thickness) in self.layers.iter().rev() {
             let (direct, cross) = layer(simd, wave, *thickness, k, k2);

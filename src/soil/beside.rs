@@ -14,6 +14,7 @@
 //! further receiver costs its sums alone. Every sixteenth β is compared with closer steps and a wider window.
 
 use super::Motion;
+use super::batch::{XZ, ZZ};
 use super::lifted::{Integral, LIFT, sinc};
 use super::strip::{self, Compliances};
 use crate::math::error_function::erfc;
@@ -278,11 +279,11 @@ impl<'a> Receivers<'a> {
                 return None;
             }
             // g/k
-            let beside = if horizontal { found.compliance[1] * k.inv() } else { k };
+            let beside = if horizontal { found.compliance[XZ] * k.inv() } else { k };
             for ((sum, (re, im)), (_, motion)) in sums.iter_mut().zip(&points.weights).zip(&self.receivers) {
                 let re = f64x8::from_slice(simd, &re[eight.clone()]);
                 let im = f64x8::from_slice(simd, &im[eight.clone()]);
-                let compliance = if *motion == Motion::Vertical { found.compliance[2] } else { beside };
+                let compliance = if *motion == Motion::Vertical { found.compliance[ZZ] } else { beside };
                 *sum = *sum + compliance * Lanes { re, im };
             }
         }

@@ -6,9 +6,10 @@
 //! millimetre to waves of 600 km; measured 5.5e-10 of 2 000 000 grounds (test `laws::agreement`), 1e-11 for kh → ∞ and any
 //! ω/(k c_s), ω = 0 included (test `cross_solver::surface_compliance`). At depths the cost stays (tests `laws`).
 
-use super::batch::{Batch, Element};
+use super::batch::{Batch, XZ, ZZ};
 use super::beside::Receivers;
 use super::chain::{self, inverse_symmetric, upside_down};
+use super::evanescent;
 use super::flexibility;
 use super::layer_stiffness::LayerStiffness;
 use super::lifted;
@@ -163,13 +164,13 @@ impl PreparedGround for DirectStiffnessAt {
 
     /// Eight at a time.
     fn u_zz_many(&self, k: &[f64]) -> Vec<Complex64> {
-        let lanes = self.lanes().element(Element::Zz, k, MOST);
+        let lanes = self.lanes().element::<ZZ>(k, MOST);
         k.iter().zip(lanes).map(|(&k, g)| g.map_or_else(|| self.u_zz(k), |g| self.signed(g))).collect()
     }
 
     /// Eight at a time.
     fn u_xz_many(&self, k: &[f64]) -> Vec<Complex64> {
-        let lanes = self.lanes().element(Element::Xz, k, MOST);
+        let lanes = self.lanes().element::<XZ>(k, MOST);
         let alone = |k: f64| self.in_plane(k)[(0, 1)];
         k.iter().zip(lanes).map(|(&k, g)| I * self.signed(g.unwrap_or_else(|| alone(k)))).collect()
     }
@@ -217,6 +218,16 @@ impl PreparedGround for DirectStiffnessAt {
     ) -> Option<Receivers<'_>> {
         let receivers = Receivers::new(self.lifted(), half_width, receivers, relative)?;
         receivers.are_clear(&|k| self.u_zz_many(k)).then_some(receivers)
+    }
+
+    fn evanescent(
+        &self,
+        beta: f64,
+        half_width: f64,
+        receiver: (f64, Motion),
+        relative: f64,
+    ) -> Option<Estimate> {
+        evanescent::receiver(&self.lifted(), beta, half_width, receiver, relative)
     }
 
     /// On the real axis where the path does not settle.

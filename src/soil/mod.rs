@@ -14,6 +14,7 @@ mod chain;
 mod compliance;
 pub mod direct_stiffness;
 pub mod dispersion;
+mod evanescent;
 pub mod flexibility;
 pub mod half_space;
 pub mod haskell;
@@ -135,8 +136,23 @@ pub trait PreparedGround: Send + Sync {
         strip::receiver_quadrature(&|k| self.u_zz_many(k), self.outline(), beta, half_width, y, relative)
     }
 
-    /// The same in any direction of `motion`; horizontal ones by quadrature.
+    /// Displacement [m²/N] of a motion at a distance [m] beyond such a strip where `beta` is slower than every wave; None where it is not, or
+    /// the solver knows no better way than the others.
+    fn evanescent(
+        &self,
+        _beta: f64,
+        _half_width: f64,
+        _receiver: (f64, Motion),
+        _relative: f64,
+    ) -> Option<Estimate> {
+        None
+    }
+
+    /// The same in any direction of `motion`, by the better way of quadrature.
     fn beside(&self, beta: f64, half_width: f64, y: f64, motion: Motion, relative: f64) -> Estimate {
+        if let Some(estimate) = self.evanescent(beta, half_width, (y, motion), relative) {
+            return estimate;
+        }
         if motion == Motion::Vertical {
             return self.receiver(beta, half_width, y, relative);
         }

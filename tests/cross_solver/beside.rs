@@ -1,7 +1,8 @@
 //! Receivers beside a strip on the lifted path against the adaptive quadrature of the same ground on the real axis.
 
 use crate::poles::grounds;
-use groundwave::soil::{DirectStiffness, GroundSolver, Motion};
+use groundwave::soil::{DirectStiffness, GroundSolver, Motion, strip};
+use num_complex::Complex64;
 use std::f64::consts::TAU;
 
 /// Asked, of the largest value of each receiver.
@@ -53,6 +54,67 @@ fn receivers_on_the_path_are_those_of_the_axis() {
     }
     println!("refused {refused} of {asked}");
     assert!(refused < 10, "{refused} of {asked}");
+}
+
+/// Slower than every wave each motion is known to an accuracy of itself, down to e^{−20} and far closer than the damping would let it.
+#[test]
+fn what_fades_is_known_as_well() {
+    let (mut asked, mut answered, mut most, mut worst) = (0, 0, 0, 0.0f64);
+    for (name, profile) in grounds() {
+        for omega in [TAU * 3.0, TAU * 25.0, -TAU * 25.0] {
+            let ground = DirectStiffness.prepare(&profile, omega, &[]).unwrap();
+            let outline = ground.outline();
+            let slowest = *outline.wavenumbers.last().unwrap();
+            for share in [1.05, 1.3, 1.7, 3.0] {
+                let beta = share * slowest;
+                let fades = |y: f64| (share * share - 1.0).sqrt() * slowest * (y - HALF_WIDTH) < 20.0;
+                let y: Vec<f64> = [4.0, 8.0, 32.0].into_iter().filter(|y| fades(*y)).collect();
+                for (y, motion) in y.iter().flat_map(|y| Motion::ALL.map(|motion| (*y, motion))) {
+                    asked += 1;
+                    let Some(got) = ground.evanescent(beta, HALF_WIDTH, (y, motion), 1e-5) else {
+                        println!("{name}, {omega:.0} rad/s, {share}, {y} m {motion:?}: not answered");
+                        continue;
+                    };
+                    answered += 1;
+                    most = most.max(got.count);
+                    let exact = match motion {
+                        Motion::Vertical => {
+                            let u_zz = |k: &[f64]| ground.u_zz_many(k);
+                            strip::receiver_quadrature(&u_zz, outline, beta, HALF_WIDTH, y, 1e-6)
+                        }
+                        _ => {
+                            let horizontal = |k: &[f64]| -> Vec<Complex64> {
+                                k.iter()
+                                    .zip(ground.u_xz_many(k))
+                                    .map(|(k, u)| u / (Complex64::I * *k))
+                                    .collect()
+                            };
+                            strip::horizontal_quadrature(
+                                &horizontal,
+                                outline,
+                                beta,
+                                HALF_WIDTH,
+                                y,
+                                motion,
+                                1e-6,
+                            )
+                        }
+                    };
+                    // what the axis does not know is no witness
+                    if exact.converged {
+                        let apart = (got.value - exact.value).norm() / exact.value.norm();
+                        worst = worst.max(apart);
+                        assert!(
+                            apart < 1e-5,
+                            "{name}, {omega:.0} rad/s, {share}, {y} m {motion:?}: {apart:e}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+    println!("{worst:.1e} apart, {answered} of {asked} answered, by {most} points at most");
+    assert!(answered > 9 * asked / 10);
 }
 
 #[test]

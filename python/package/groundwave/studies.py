@@ -623,6 +623,7 @@ def free_field(
     speed: Number,
     receivers: Values,
     passage_time: Number | None = None,
+    components: str | None = None,
     frequencies: Span | None = None,
     guide: Sequence[str] | None = None,
     assessment: Mapping[str, Any] | None = None,
@@ -644,6 +645,8 @@ def free_field(
         Distances from the centre line of the track [m], ascending.
     passage_time : float or str, optional
         T [s], over which the energy of the pass is averaged; by default train length and twice the farthest receiver over v.
+    components : str, optional
+        ``"vertical"``, the default, or ``"three"``: along and across the track too, in variables that end in ``_along`` and ``_across``.
     frequencies : slice or mapping, optional
         Bands from the one with the lower to the one with the upper frequency [Hz]; 1 to 80 Hz by default.
     guide : sequence of str, optional
@@ -679,8 +682,8 @@ def free_field(
     ('receiver', 'band')
     """
     keys = {
-        "speed": speed, "receivers": receivers, "passage_time": passage_time, "frequencies": frequencies, "guide": guide,
-        "assessment": assessment, "transfer": transfer,
+        "speed": speed, "receivers": receivers, "passage_time": passage_time, "components": components,
+        "frequencies": frequencies, "guide": guide, "assessment": assessment, "transfer": transfer,
     }
     return _ask("free_field", keys, progress, soil=soil, track=track, train=train, irregularity=irregularity, folder=folder)
 

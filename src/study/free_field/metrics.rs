@@ -2,7 +2,7 @@
 
 use crate::assessment::{
     Averaging, Band, Guide, PassageSpectrum, Weighting, WorkingRange, clock_maxima, clock_maximum_rms, kb_f,
-    kb_f_maximum, maximum_running_rms, passage_spectrum, peak_velocity, peak_velocity_within, vibration_dose,
+    maximum_running_rms, passage_spectrum, peak_velocity, peak_velocity_within, vibration_dose,
     weighted_velocity,
 };
 use crate::dataset::Group;
@@ -19,7 +19,8 @@ pub struct Measure {
     pub symbol: &'static str,
     pub units: &'static str,
     pub what: &'static str,
-    of: fn(&History, Direction) -> f64,
+    /// Of a velocity and its KB_F(t).
+    of: fn(&History, &History, Direction) -> f64,
 }
 
 /// Of a velocity, for what weighs directions differently.
@@ -41,6 +42,12 @@ impl Direction {
     }
 }
 
+/// All [`MEASURES`] of a `velocity` [m/s] in one direction.
+pub fn measures(velocity: &History, direction: Direction) -> Vec<f64> {
+    let kb_f = kb_f(velocity);
+    MEASURES.iter().map(|measure| (measure.of)(velocity, &kb_f, direction)).collect()
+}
+
 /// Three digits of `value`, with a power of ten where it is small.
 pub fn significant(value: f64) -> String {
     match value.abs() {
@@ -51,11 +58,6 @@ pub fn significant(value: f64) -> String {
 }
 
 impl Measure {
-    /// Its value for a velocity [m/s] in one direction.
-    pub fn of(&self, velocity: &History, direction: Direction) -> f64 {
-        (self.of)(velocity, direction)
-    }
-
     /// A value of it in units a reader expects, as text without unit.
     pub fn number(&self, value: f64) -> String {
         significant(if self.units == "m s-1" { 1e3 * value } else { value })
@@ -135,8 +137,8 @@ pub fn where_text(place: &str) -> String {
 }
 
 /// Root of the sum of squares of the clock maxima of one pass.
-fn kb_pass(velocity: &History) -> f64 {
-    clock_maxima(&kb_f(velocity)).iter().map(|kb| kb * kb).sum::<f64>().sqrt()
+fn kb_pass(kb_f: &History) -> f64 {
+    clock_maxima(kb_f).iter().map(|kb| kb * kb).sum::<f64>().sqrt()
 }
 
 /// The measures of one component of the velocity of the ground's surface.
@@ -146,35 +148,35 @@ pub const MEASURES: [Measure; 12] = [
         symbol: "PPV",
         units: "m s-1",
         what: "peak particle velocity, unweighted",
-        of: |v, _| peak_velocity(v),
+        of: |v, _, _| peak_velocity(v),
     },
     Measure {
         key: "v_fast_maximum",
         symbol: "v_F,max",
         units: "m s-1",
         what: "largest running r.m.s. velocity, FAST (0.125 s), unweighted",
-        of: |v, _| maximum_running_rms(v, Averaging::Fast),
+        of: |v, _, _| maximum_running_rms(v, Averaging::Fast),
     },
     Measure {
         key: "v_slow_maximum",
         symbol: "v_S,max",
         units: "m s-1",
         what: "largest running r.m.s. velocity, SLOW (1 s), unweighted",
-        of: |v, _| maximum_running_rms(v, Averaging::Slow),
+        of: |v, _, _| maximum_running_rms(v, Averaging::Slow),
     },
     Measure {
         key: "kb_f_maximum",
         symbol: "KB_Fmax",
         units: "1",
         what: "largest KB_F(t), DIN 45669-1, FAST",
-        of: |v, _| kb_f_maximum(v),
+        of: |_, kb_f, _| kb_f.peak(),
     },
     Measure {
         key: "a_wm_slow_maximum",
         symbol: "a_w,max",
         units: "m s-2",
         what: "largest running r.m.s. acceleration, W_m of ISO 2631-2, SLOW (1 s)",
-        of: |v, _| maximum_running_rms(&Weighting::Wm.of_velocity(v), Averaging::Slow),
+        of: |v, _, _| maximum_running_rms(&Weighting::Wm.of_velocity(v), Averaging::Slow),
     },
     Measure {
         key: "vdv_wb",
@@ -182,49 +184,49 @@ pub const MEASURES: [Measure; 12] = [
         // UDUNITS knows no broken powers: it reads m s-1.75 as 0.75 m/s, and refuses this
         units: "m/s^(7/4)",
         what: "vibration dose of one pass, W_b, BS 6472-1",
-        of: |v, direction| vibration_dose(&direction.weighting().of_velocity(v)),
+        of: |v, _, direction| vibration_dose(&direction.weighting().of_velocity(v)),
     },
     Measure {
         key: "exposure",
         symbol: "∫v² dt",
         units: "m2 s-1",
         what: "energy of the pass, unweighted",
-        of: |v, _| v.energy(),
+        of: |v, _, _| v.energy(),
     },
     Measure {
         key: "v_w_slow_maximum",
         symbol: "V_S,max",
         units: "m s-1",
         what: "largest running r.m.s. of the weighted velocity, W_m of ISO 2631-2, SLOW (1 s), as of NS 8176",
-        of: |v, _| maximum_running_rms(&weighted_velocity(v), Averaging::Slow),
+        of: |v, _, _| maximum_running_rms(&weighted_velocity(v), Averaging::Slow),
     },
     Measure {
         key: "peak_velocity_1_80_hz",
         symbol: "PPV (1 to 80 Hz)",
         units: "m s-1",
         what: "peak particle velocity, 1 to 80 Hz of DIN 45669-1",
-        of: |v, _| peak_velocity_within(v, WorkingRange::To80),
+        of: |v, _, _| peak_velocity_within(v, WorkingRange::To80),
     },
     Measure {
         key: "peak_velocity_1_315_hz",
         symbol: "PPV (1 to 315 Hz)",
         units: "m s-1",
         what: "peak particle velocity, 1 to 315 Hz of DIN 45669-1",
-        of: |v, _| peak_velocity_within(v, WorkingRange::To315),
+        of: |v, _, _| peak_velocity_within(v, WorkingRange::To315),
     },
     Measure {
         key: "kb_ftm",
         symbol: "KB_FTm",
         units: "1",
         what: "r.m.s. of the clock maxima of the intervals of 30 s that the pass occupies, DIN 4150-2",
-        of: |v, _| clock_maximum_rms(&clock_maxima(&kb_f(v))),
+        of: |_, kb_f, _| clock_maximum_rms(&clock_maxima(kb_f)),
     },
     Measure {
         key: "kb_pass",
         symbol: "√ΣKB²_FTi",
         units: "1",
         what: "root of the sum of squares of the clock maxima of one pass, DIN 4150-2",
-        of: |v, _| kb_pass(v),
+        of: |_, kb_f, _| kb_pass(kb_f),
     },
 ];
 
@@ -254,7 +256,7 @@ impl Measured {
             .map(|i| {
                 let row = histories[i / receivers].row(i % receivers);
                 let history = History::new(times.step, row.to_vec())?;
-                Ok(MEASURES.iter().map(|m| m.of(&history, direction)).collect())
+                Ok(measures(&history, direction))
             })
             .collect::<Result<_, SignalError>>()?;
         let shape = (histories.len(), receivers);

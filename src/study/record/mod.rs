@@ -7,7 +7,7 @@ mod shown;
 
 pub use read::RecordError;
 
-use super::free_field::metrics::{Direction, MEASURES};
+use super::free_field::metrics::{Direction, measures};
 use super::{Assessment, Outcome, StudyError};
 use crate::assessment::{
     Band, PassageSpectrum, WorkingRange, foundation_guide_values, kb_f, passage_spectrum,
@@ -67,7 +67,7 @@ impl MeasuredHistory {
         let judged = self.channels.iter().map(|channel| {
             let Channel { velocity, direction, .. } = channel;
             Judged {
-                measures: MEASURES.iter().map(|m| m.of(velocity, *direction)).collect(),
+                measures: measures(velocity, *direction),
                 kb_f: kb_f(velocity),
                 spectrum: passage_spectrum(velocity, &bands),
                 dominant: dominant(&WorkingRange::To315.of(velocity)),
