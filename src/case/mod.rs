@@ -11,6 +11,7 @@ mod compare;
 mod consist;
 mod distribution;
 pub mod error;
+mod estimate;
 mod faults;
 mod files;
 #[cfg(all(feature = "files", feature = "pictures"))]
@@ -59,6 +60,7 @@ pub use about::About;
 #[cfg(all(feature = "files", feature = "pictures"))]
 pub use compare::{CompareError, compare};
 pub use error::CaseError;
+pub use estimate::{Known, StudyTime, about};
 pub use files::text as read_beside;
 #[cfg(all(feature = "files", feature = "pictures"))]
 pub use folder::{FolderError, check_output, sweep};

@@ -3,10 +3,12 @@
 use super::args::RunArguments;
 use super::progress::Bar;
 use super::{BAD_INPUT, DONE, FAILED, complain, say};
-use groundwave::case::{Case, RunError, RunOptions, Summary, check_output, run as run_case, sweep};
+use groundwave::case::{
+    Case, Known, RunError, RunOptions, StudyTime, Summary, about, check_output, run as run_case, sweep,
+};
 use groundwave::progress::Observer;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// The case at `path`, or its faults on the screen.
 pub fn load(path: &Path) -> Result<Case, u8> {
@@ -21,6 +23,9 @@ pub fn load(path: &Path) -> Result<Case, u8> {
     })
 }
 
+/// How long each study may be tried to tell how long it takes.
+const TRIAL: Duration = Duration::from_secs(1);
+
 pub fn check(path: &Path) -> u8 {
     match load(path) {
         Ok(case) => {
@@ -34,10 +39,47 @@ pub fn check(path: &Path) -> u8 {
             for concern in &case.concerns {
                 say(&format!("Concern: {concern}"));
             }
-            DONE
+            match case.estimate(TRIAL) {
+                Ok(times) => {
+                    time_told(&case, &times).iter().for_each(|line| say(line));
+                    DONE
+                }
+                Err(error) => {
+                    eprintln!("error: {error}");
+                    FAILED
+                }
+            }
         }
         Err(code) => code,
     }
+}
+
+/// What a case takes on the threads there are, and the samples of its `[study]`.
+fn time_told(case: &Case, times: &[StudyTime]) -> Vec<String> {
+    let whole: Duration = times.iter().map(|time| time.time).sum();
+    let threads = match rayon::current_num_threads() {
+        1 => "1 thread".to_owned(),
+        count => format!("{count} threads"),
+    };
+    // those that matter
+    let parts =
+        times.iter().filter(|time| times.len() > 1 && time.time > Duration::from_secs(1).max(whole / 20));
+    let again = |time: &StudyTime| if time.verifying { " again to verify it" } else { "" };
+    let more = |time: &StudyTime| if time.known == Known::More { "more than " } else { "" };
+    let one = |t: &StudyTime| format!("{}{} {}{}", t.study, again(t), more(t), about(t.time));
+    let parts: Vec<String> = parts.map(one).collect();
+    let at_least = if times.iter().any(|t| t.known == Known::More) { "more than " } else { "" };
+    let of = if parts.is_empty() { String::new() } else { format!(": {}", parts.join(", ")) };
+    let mut lines =
+        vec![format!("Time: {at_least}{} on {threads}{of}; besides pictures and files", about(whole))];
+    if let Some(study) = &case.study {
+        let runs = study.design.samples() + 2 * study.parameters.len();
+        lines.push(format!(
+            "      {at_least}{} for all samples by `groundwave study`",
+            about(whole * runs as u32)
+        ));
+    }
+    lines
 }
 
 /// results/<name>: the file's stem, or its folder's name where the file is called case.toml or results.h5.

@@ -12,6 +12,7 @@ use super::images::Images;
 use super::mirrored::Mirrored;
 use crate::math::complex::I;
 use crate::math::fourier::{Wanted, inverse_2d};
+use crate::progress::{Cancelled, Observer};
 use crate::soil::{Base, GroundSolver, Material, PreparedGround, Profile, SoilError, Solver};
 use crate::vehicle::Train;
 use ndarray::{Array2, ArrayView, ArrayView1, Dimension};
@@ -62,6 +63,9 @@ pub enum GroundFieldError {
     /// The ground cannot answer.
     #[error(transparent)]
     Soil(#[from] SoilError),
+    /// Told to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// A grid without points or spacing.
     #[error("the contour window is empty: x {x:?} m, y {y:?} m, spacing {spacing} m")]
     Window {
@@ -143,12 +147,13 @@ impl GroundField<'_> {
     /// it for the case at hand.
     ///
     /// # Errors
-    /// An empty window; a ground its solver cannot answer for.
+    /// An empty window; a ground its solver cannot answer for; told to stop.
     pub fn compute(
         &self,
         window: &Window,
         grid: &Grid,
         quantities: &[Quantity],
+        observer: &dyn Observer,
     ) -> Result<Field, GroundFieldError> {
         let (x, y) = (window.x_positions(), window.y_positions());
         if x.is_empty() || y.is_empty() {
@@ -160,9 +165,10 @@ impl GroundField<'_> {
         let across: Vec<f64> =
             (0..=grid.y.period_count / 2).map(|m| self.load.across(grid.y.beta(m))).collect();
         let spectrum = |n: usize, out: &mut [Vec<Complex64>]| {
-            let beta_x = grid.x.beta(n);
-            self.row(beta_x, (grid, &across), quantities, blend, out)
+            self.row(grid.x.beta(n), (grid, &across), quantities, blend, out)?;
+            Ok::<_, GroundFieldError>(observer.done()?)
         };
+        observer.begin("ground contour", grid.rows as u64);
         // one of two lines that mirror each other; the track's axis, the strip's edge and the border of the period for the errors
         let mirrored = Mirrored::new(&y);
         let distinct = mirrored.first();
@@ -171,6 +177,7 @@ impl GroundField<'_> {
         let lines: Vec<usize> = distinct.iter().copied().chain(others).collect();
         let wanted = Wanted { thinning: grid.thinning, lines: &lines };
         let fields = inverse_2d(grid.x, grid.y, grid.rows, quantities.len(), wanted, spectrum)?;
+        observer.end();
 
         let axles = self.axles();
         let middle = -0.5 * self.train.length();

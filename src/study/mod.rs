@@ -447,7 +447,12 @@ pub enum StudyError {
 impl StudyError {
     /// Whether it only says that the study was told to stop.
     pub fn is_cancelled(&self) -> bool {
-        matches!(self, Self::Cancelled(_) | Self::Interaction(InteractionError::Cancelled(_)))
+        matches!(
+            self,
+            Self::Cancelled(_)
+                | Self::Interaction(InteractionError::Cancelled(_))
+                | Self::Field(GroundFieldError::Cancelled(_))
+        )
     }
 }
 

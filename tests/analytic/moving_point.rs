@@ -2,6 +2,7 @@
 
 use crate::common::soil;
 use groundwave::field::{GroundField, GroundLoad, Quantity, Window};
+use groundwave::progress::Silent;
 use groundwave::soil::strip::sinc;
 use groundwave::soil::{Base, Layer, Profile, Solver, half_space};
 use groundwave::vehicle::{Axle, Train};
@@ -35,7 +36,7 @@ fn worst(profile: &Profile, speed: f64, load: GroundLoad, exact: impl Fn(f64, f6
     let field = GroundField { profile, solver: Solver::DirectStiffness, speed, train: &train, load };
     let window = Window { x: (-9.0, 9.0), y: (-9.0, 9.0), spacing: 0.5 };
     let grid = field.grid(&window, 150.0);
-    let result = field.compute(&window, &grid, &[Quantity::Vertical]).unwrap();
+    let result = field.compute(&window, &grid, &[Quantity::Vertical], &Silent).unwrap();
     let mut worst = 0.0f64;
     for (x, y) in POSITIONS {
         let got = result.values[0][(((y + 9.0) / 0.5) as usize, ((x + 9.0) / 0.5) as usize)];

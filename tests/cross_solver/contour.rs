@@ -5,6 +5,7 @@ use groundwave::field::{GroundField, GroundLoad, Quantity, Window};
 use groundwave::foundation::LayeredSoil;
 use groundwave::math::bessel::modified_bessel;
 use groundwave::math::quadrature::{Tolerance, integrate};
+use groundwave::progress::Silent;
 use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::strip::sinc;
 use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Profile, Solver, Strip, half_space};
@@ -64,7 +65,7 @@ fn ballasted_track_against_direct_integration() {
         let window = Window { x: (-40.0, 20.0), y: (-30.0, 30.0), spacing: 0.25 };
         let t = std::time::Instant::now();
         let grid = field.grid(&window, 150.0);
-        let result = field.compute(&window, &grid, &[Quantity::Vertical]).unwrap();
+        let result = field.compute(&window, &grid, &[Quantity::Vertical], &Silent).unwrap();
         println!("{:?} {:?} {:?}", t.elapsed(), result.samples, (result.wrap_around, result.aliasing));
         let largest = result.values[0].iter().fold(0.0f64, |m, v| m.max(v.abs()));
         let mut worst = 0.0f64;
@@ -116,8 +117,9 @@ fn horizontal_displacement_under_a_point_load_at_rest() {
     };
     let window = Window { x: (-20.0, 20.0), y: (-15.0, 15.0), spacing: 0.5 };
     let grid = field.grid(&window, 100.0);
-    let result =
-        field.compute(&window, &grid, &[Quantity::Along, Quantity::Across, Quantity::Vertical]).unwrap();
+    let result = field
+        .compute(&window, &grid, &[Quantity::Along, Quantity::Across, Quantity::Vertical], &Silent)
+        .unwrap();
     let mu = profile.top().shear_modulus();
     let (mut worst, mut largest) = (0.0f64, 0.0f64);
     for (row, y) in result.y.iter().enumerate() {
@@ -156,7 +158,8 @@ fn velocity_is_the_slope_of_the_moving_field() {
         GroundField { profile: &profile, solver: Solver::DirectStiffness, speed, train: &train, load };
     let window = Window { x: (-20.0, 10.0), y: (0.0, 10.0), spacing: 0.1 };
     let grid = field.grid(&window, 150.0);
-    let result = field.compute(&window, &grid, &[Quantity::Vertical, Quantity::VerticalVelocity]).unwrap();
+    let result =
+        field.compute(&window, &grid, &[Quantity::Vertical, Quantity::VerticalVelocity], &Silent).unwrap();
     let (u, v) = (&result.values[0], &result.values[1]);
     let (mut worst, mut largest) = (0.0f64, 0.0f64);
     for row in 0..result.y.len() {

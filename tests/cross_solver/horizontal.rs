@@ -31,7 +31,7 @@ fn histories_are_slices_of_the_contour() {
             GroundField { profile: &profile, solver: Solver::DirectStiffness, speed, train: &train, load };
         let window = Window { x: (-40.0, 20.0), y: (0.0, 8.0), spacing: 0.25 };
         let grid = field.grid(&window, 400.0);
-        let contour = field.compute(&window, &grid, &[Quantity::Along, Quantity::Across]).unwrap();
+        let contour = field.compute(&window, &grid, &[Quantity::Along, Quantity::Across], &Silent).unwrap();
         for (values, motion) in contour.values.iter().zip([Motion::Along, Motion::Across]) {
             let line = values.row(contour.y.len() - 1).to_vec();
             let channel = Channel { y: 8.0, motion };

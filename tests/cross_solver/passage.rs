@@ -37,7 +37,8 @@ fn history_is_the_slice_of_the_contour() {
         let field =
             GroundField { profile: &profile, solver: Solver::DirectStiffness, speed, train: &train, load };
         let window = Window { x: (-40.0, 20.0), y: (0.0, 8.0), spacing: 0.25 };
-        let contour = field.compute(&window, &field.grid(&window, 400.0), &[Quantity::Vertical]).unwrap();
+        let contour =
+            field.compute(&window, &field.grid(&window, 400.0), &[Quantity::Vertical], &Silent).unwrap();
         let line = contour.values[0].row(contour.y.len() - 1).to_vec();
         let passage =
             spectrum.passage((&profile, Solver::DirectStiffness), strip(), vertical(8.0), 60.0).unwrap();

@@ -1,6 +1,7 @@
 //! The ground at depth: Boussinesq at rest, differences of its own displacements in motion, the surface's contour above it.
 
 use groundwave::field::{COMPONENTS, GroundField, GroundLoad, Quantity, Underground, Window};
+use groundwave::progress::Silent;
 use groundwave::soil::{Base, Elastic, Layer, Material, Profile, Solver};
 use groundwave::vehicle::{Axle, Train};
 use num_complex::Complex64;
@@ -131,7 +132,7 @@ fn the_contour_lies_above() {
             GroundField { profile: &profile, solver: Solver::DirectStiffness, speed, train: &train, load };
         let window = Window { x: (-8.0, 4.0), y: (3.0, 6.0), spacing: 0.5 };
         let grid = surface.grid(&window, 400.0);
-        let contour = surface.compute(&window, &grid, &quantities).unwrap();
+        let contour = surface.compute(&window, &grid, &quantities, &Silent).unwrap();
         let found = below.compute((&contour.x, &contour.y, &depths), 1e-6).unwrap().values;
         let worst = [(0, 2), (1, 0), (2, 1)].map(|(q, c)| {
             let values = &contour.values[q];

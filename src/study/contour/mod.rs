@@ -103,17 +103,11 @@ impl Contour {
     /// # Errors
     /// No ground, no train, undamped waves, too large a grid.
     pub fn solve(&self, railway: &Railway, observer: &dyn Observer) -> Result<GroundMaps, StudyError> {
-        observer.begin("ground contours", self.speeds.len() as u64);
         let fields = self
             .speeds
             .iter()
-            .map(|&speed| {
-                let field = self.field(railway, speed)?;
-                observer.done()?;
-                Ok(field)
-            })
+            .map(|&speed| self.field(railway, speed, observer))
             .collect::<Result<Vec<_>, StudyError>>()?;
-        observer.end();
         let missed =
             self.speeds.iter().zip(&fields).map(|(v, field)| (*v, field.1)).filter(|(_, worst)| *worst > 1.0);
         Ok(GroundMaps {
@@ -135,7 +129,12 @@ impl Contour {
     }
 
     /// The field at one speed, and the error of the track's spectrum over what was allowed.
-    fn field(&self, railway: &Railway, speed: f64) -> Result<(Field, f64), StudyError> {
+    fn field(
+        &self,
+        railway: &Railway,
+        speed: f64,
+        observer: &dyn Observer,
+    ) -> Result<(Field, f64), StudyError> {
         let ground = railway.ground()?;
         let (profile, solver) = (&ground.profile, ground.solver);
         let train = railway.train()?;
@@ -152,7 +151,7 @@ impl Contour {
                     (Err(error), None) => return Err(error),
                 }
                 let grid = field.grid(&self.window, clearance);
-                let result = field.compute(&self.window, &grid, &self.quantities)?;
+                let result = field.compute(&self.window, &grid, &self.quantities, observer)?;
                 let samples = grid.x.period_count * grid.y.period_count;
                 let faded = result.wrap_around <= TOLERABLE || self.clearance.is_some();
                 if faded || samples > MOST_SAMPLES {
