@@ -14,7 +14,7 @@ use groundwave::railway::{Contact, Ground, Railway, Support};
 use groundwave::soil::{Compatibility, DirectStiffness, GroundSolver, Solver, Strip, ThinLayer};
 use groundwave::study::{FreeField, Irregularity, Roughness};
 use groundwave::track::{Ballast, Ballasted, Link, Member, Sleeper, Stack};
-use groundwave::vehicle::{Axle, FourAxle, Multibody, Suspension, Train};
+use groundwave::vehicle::{Axle, BogieVehicle, Multibody, Suspension, Train};
 use std::f64::consts::TAU;
 
 const SPEED: f64 = 67.5;
@@ -74,9 +74,19 @@ fn application3(bencher: Bencher, receivers: usize) {
 /// Contact forces for wavelengths from 0.5 to 80 m: one wheel, and eight ICE 3.
 #[divan::bench(args = [1, 32], sample_count = 3)]
 fn contact_forces(bencher: Bencher, wheels: usize) {
-    let vehicle = FourAxle {
-        body: groundwave::vehicle::Body { mass: 47_800.0, pitch_inertia: 1.957888e6, bogie_centres: 17.375 },
-        bogie: groundwave::vehicle::Bogie { mass: 3500.0, pitch_inertia: 1715.0, wheelbase: 2.5 },
+    let vehicle = BogieVehicle {
+        body: groundwave::vehicle::Body {
+            mass: 47_800.0,
+            pitch_inertia: 1.957888e6,
+            bogie_centres: 17.375,
+            count: 1,
+        },
+        bogie: groundwave::vehicle::Bogie {
+            mass: 3500.0,
+            pitch_inertia: 1715.0,
+            wheelbase: 2.5,
+            wheelsets: 2,
+        },
         wheelset: groundwave::vehicle::Wheelset { mass: 1800.0 },
         primary: Suspension { stiffness: 2.4e6, damping: 20e3 },
         secondary: Suspension { stiffness: 0.7e6, damping: 40e3 },

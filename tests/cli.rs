@@ -662,7 +662,11 @@ fn check_list_and_schema() {
     let (folder, _) = folder_with(&CASE);
     let check = groundwave(&["check", "case.toml"], folder.path());
     assert_eq!(code(&check), 0, "{}", err(&check));
-    assert!(String::from_utf8_lossy(&check.stdout).contains("track_response"));
+    let told = String::from_utf8_lossy(&check.stdout).into_owned();
+    assert!(
+        told.contains("track_response") && told.contains("\nTime: ") && told.contains(" thread"),
+        "{told}"
+    );
     let list = groundwave(&["list", "soils"], folder.path());
     let text = String::from_utf8_lossy(&list.stdout).into_owned();
     assert!(code(&list) == 0 && text.contains("kaynia2000_ledsgard_high_speed") && !text.contains("x2000"));

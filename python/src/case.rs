@@ -8,6 +8,7 @@ use pyo3::types::{PyDict, PyList};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
 
 /// Reads files beside a case: those at hand in `files`, others in `folder`.
 pub fn beside<'a>(
@@ -101,6 +102,17 @@ impl Case {
         dict.set_item("groups", outcome::groups(py, solved.outcomes)?)?;
         dict.set_item("concerns", outcome::concerns(&concerns))?;
         Ok(dict)
+    }
+
+    /// About how long each study takes [s]: each is tried for a second.
+    fn estimate(&self, py: Python<'_>) -> PyResult<BTreeMap<&'static str, f64>> {
+        let case = self.case.clone();
+        let times = pool::run(py, None, error::of_run, move |_| Ok(case.estimate(Duration::from_secs(1))?))?;
+        let mut all = BTreeMap::new();
+        for time in times {
+            *all.entry(time.study).or_insert(0.0) += time.time.as_secs_f64();
+        }
+        Ok(all)
     }
 
     /// How many chunks its samples fill; none without ``[study]``.

@@ -5,7 +5,7 @@ use super::loader::Loader;
 use super::schema::{TrainInput, VehicleInput, VehiclesInput};
 use super::values::Named;
 use super::vehicle::{
-    Place, Wheels, body_fault, contact, four_axle, loads, model_has_its_parts, parts, reasonable,
+    Place, Wheels, body_fault, bogie_vehicle, contact, loads, model_has_its_parts, parts, reasonable,
 };
 use crate::vehicle::{Axle, ContactSpring, Multibody, Train, VehicleModel};
 
@@ -114,7 +114,7 @@ fn car(
     (item, at): (&VehicleInput, &str),
 ) -> Result<Car, CaseError> {
     let table = &inner.table;
-    let four = four_axle(inner)?;
+    let four = bogie_vehicle(inner)?;
     let model = over.table.model.or(table.model);
     let own = table.unsprung_mass.or(over.table.unsprung_mass);
     // the mass of a whole train is that of the wheelsets that have none

@@ -254,15 +254,15 @@ pub struct TrainInput {
     pub model: Option<VehicleModel>,
     /// Unsprung mass of each wheelset [kg] of the model "unsprung".
     pub unsprung_mass: Option<f64>,
-    /// Body of a vehicle on two bogies, which brings its axles and loads by itself.
+    /// Body of a vehicle on bogies, which brings its axles and loads by itself.
     pub body: Option<Body>,
-    /// Each of its two bogies.
+    /// Each of its bogies.
     pub bogie: Option<Bogie>,
-    /// Each of its four wheelsets.
+    /// Each of its wheelsets.
     pub wheelset: Option<Wheelset>,
     /// Suspension of one wheelset.
     pub primary: Option<Suspension>,
-    /// Suspension of one bogie.
+    /// Suspension of one end of a body.
     pub secondary: Option<Suspension>,
     /// Contact of wheels and rails, where dynamics are wanted.
     pub wheel_rail: Option<WheelRailInput>,

@@ -6,9 +6,9 @@ use super::loader::Loader;
 use super::schema::{TrainInput, VehicleInput, VehiclesInput};
 use super::values::Named;
 use super::vehicle::{
-    Place, Wheels, above_zero, body_fault, contact, four_axle, loads, model_has_its_parts, reasonable,
+    Place, Wheels, above_zero, body_fault, bogie_vehicle, contact, loads, model_has_its_parts, reasonable,
 };
-use crate::vehicle::{Axle, FourAxle, Multibody, Train, VehicleModel};
+use crate::vehicle::{Axle, BogieVehicle, Multibody, Train, VehicleModel};
 
 /// Places of `count` vehicles behind the first [m].
 fn offsets(outer: &Place, vehicle: &Place) -> Result<Vec<f64>, CaseError> {
@@ -55,7 +55,7 @@ fn named_vehicle(loader: &Loader, outer: &Place, name: &str) -> Result<Place, Ca
 
 /// Vehicles of bodies at `offsets` [m], one behind the other.
 fn of_bodies(
-    four: &FourAxle,
+    four: &BogieVehicle,
     (model, mass): (Option<VehicleModel>, Option<f64>),
     offsets: Vec<f64>,
     (outer, vehicle): (&Place, &Place),
@@ -64,7 +64,7 @@ fn of_bodies(
         let help = "add model = \"unsprung\", \"two\", \"four\", \"five\" or \"ten\"";
         return Err(vehicle.advise("", "missing key `model`: which of the bodies move", help));
     };
-    let span = four.body.bogie_centres + four.bogie.wheelbase;
+    let span = four.span();
     if let Some(&length) = offsets.get(1).filter(|length| **length <= span) {
         let place = if outer.table.length.is_some() { outer } else { vehicle };
         let message = format!("length is {length} m, first and last axle of the vehicle {span} m apart");
@@ -135,7 +135,7 @@ pub fn train(loader: &Loader, named: &Named<TrainInput>) -> Result<(Train, Wheel
         first(|t| t.wheel_rail.is_some()),
     );
     let (model, mass) = (model_at.table.model, mass_at.table.unsprung_mass);
-    let four = four_axle(vehicle)?;
+    let four = bogie_vehicle(vehicle)?;
     model_has_its_parts((model, model_at), (mass, mass_at), four.is_some())?;
     let offsets = offsets(&outer, vehicle)?;
     let (train, bodies) = match four {

@@ -5,7 +5,7 @@ use super::loader::Resolved;
 use super::schema::TrainInput;
 use crate::quantity::positive;
 use crate::vehicle::{
-    Axle, BodyError, ContactSpring, FourAxle, Hertz, Multibody, Train, VehicleError, VehicleModel,
+    Axle, BodyError, BogieVehicle, ContactSpring, Hertz, Multibody, Train, VehicleError, VehicleModel,
 };
 
 /// Longest train [m] and heaviest axle [N] a case may ask for.
@@ -25,7 +25,7 @@ pub struct Wheels {
 
 pub type Place = Resolved<TrainInput>;
 
-/// Keys of a vehicle on two bogies, and whether they are there.
+/// Keys of a vehicle on bogies, and whether they are there.
 pub fn parts(table: &TrainInput) -> [(&'static str, bool); 5] {
     [
         ("body", table.body.is_some()),
@@ -42,6 +42,8 @@ fn key(error: &BodyError) -> &'static str {
         BodyError::OutOfRange(error) => error.key,
         BodyError::Offset { .. } => "length",
         BodyError::BogiesOverlap { .. } => "bogie.wheelbase",
+        BodyError::Count { key, .. } => key,
+        BodyError::HalfBodies => "body.count",
     }
 }
 
@@ -61,7 +63,7 @@ pub fn above_zero(
 }
 
 /// The vehicle on two bogies of `vehicle`, if it has one.
-pub fn four_axle(vehicle: &Place) -> Result<Option<FourAxle>, CaseError> {
+pub fn bogie_vehicle(vehicle: &Place) -> Result<Option<BogieVehicle>, CaseError> {
     let table = &vehicle.table;
     let (Some(body), Some(bogie), Some(wheelset), Some(primary), Some(secondary)) =
         (table.body, table.bogie, table.wheelset, table.primary, table.secondary)
@@ -69,18 +71,18 @@ pub fn four_axle(vehicle: &Place) -> Result<Option<FourAxle>, CaseError> {
         let there = parts(table);
         let Some((given, _)) = there.iter().find(|part| part.1) else { return Ok(None) };
         let missing: Vec<&str> = there.iter().filter(|part| !part.1).map(|part| part.0).collect();
-        let message = format!("a vehicle on two bogies also needs {}", missing.join(", "));
+        let message = format!("a vehicle on bogies also needs {}", missing.join(", "));
         return Err(vehicle.advise(given, message, "its keys: body, bogie, wheelset, primary, secondary"));
     };
     if table.axles.is_some() {
-        let message = "axles beside a vehicle on two bogies, which brings its own";
+        let message = "axles beside a vehicle on bogies, which brings its own";
         return Err(vehicle.advise(
             "axles",
             message,
             "remove axles, or body, bogie, wheelset, primary, secondary",
         ));
     }
-    let four = FourAxle { body, bogie, wheelset, primary, secondary };
+    let four = BogieVehicle { body, bogie, wheelset, primary, secondary };
     four.checked().map(Some).map_err(|e| body_fault(vehicle, &e))
 }
 

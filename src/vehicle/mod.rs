@@ -1,14 +1,14 @@
 //! What runs on the track.
 
 mod axle_loads;
-mod four_axle;
+mod bogie_vehicle;
 mod freedom;
 mod hertz;
 mod model;
 mod multibody;
 
 pub use axle_loads::{Axle, Train, VehicleError};
-pub use four_axle::{Body, Bogie, FourAxle, GRAVITY, Suspension, Wheelset};
+pub use bogie_vehicle::{Body, Bogie, BogieVehicle, GRAVITY, Suspension, Wheelset};
 pub use freedom::{Freedom, Motion, Part};
 pub use hertz::{ContactSpring, Hertz, Tread};
 pub use model::VehicleModel;
@@ -31,6 +31,21 @@ pub enum BodyError {
         /// What was given [m].
         offset: f64,
     },
+    /// Bodies, or wheelsets of a bogie, that there are none of, or too many.
+    #[error("{key} is {count}: it must lie between {} and {}", allowed.0, allowed.1)]
+    Count {
+        /// What.
+        key: &'static str,
+        /// What was given.
+        count: usize,
+        /// Least and most.
+        allowed: (usize, usize),
+    },
+    /// A model of one bogie and half a body, of a vehicle whose bogies carry different parts of bodies.
+    #[error(
+        "the model \"five\" has half a body on every bogie, an articulated vehicle a whole one on those between its bodies"
+    )]
+    HalfBodies,
     /// Two bogies in one place.
     #[error(
         "the wheelbase of a bogie is {wheelbase} m, the bogies {bogie_centres} m apart: it must be shorter"

@@ -1,6 +1,6 @@
-//! Which bodies of a vehicle on two bogies move.
+//! Which bodies of a vehicle on bogies move.
 
-use super::{BodyError, FourAxle, Multibody};
+use super::{BodyError, BogieVehicle, Multibody};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -12,11 +12,11 @@ pub enum VehicleModel {
     Unsprung,
     /// Wheelset, half a bogie.
     Two,
-    /// Two wheelsets, a bogie that bounces and pitches.
+    /// The wheelsets of a bogie, which bounces and pitches.
     Four,
     /// The same and half the body, which bounces.
     Five,
-    /// Four wheelsets, two bogies and the body, which bounce and pitch.
+    /// All wheelsets, bogies and bodies, which bounce and pitch: ten degrees of freedom of a body on two bogies of two wheelsets.
     Ten,
 }
 
@@ -32,21 +32,25 @@ impl VehicleModel {
         }
     }
 
-    /// One `vehicle`, all four wheelsets; `unsprung` [kg] replaces the mass of its wheelsets where they are alone.
+    /// One `vehicle`, all of its wheelsets; `unsprung` [kg] replaces the mass of its wheelsets where they are alone.
     ///
     /// # Errors
-    /// Those of [`FourAxle::checked`]; an unsprung mass that is not positive.
-    pub fn of(self, vehicle: &FourAxle, unsprung: Option<f64>) -> Result<Multibody, BodyError> {
-        let bogies = [0.0, vehicle.body.bogie_centres];
-        match self {
+    /// Those of [`BogieVehicle::checked`]; an unsprung mass that is not positive.
+    pub fn of(self, vehicle: &BogieVehicle, unsprung: Option<f64>) -> Result<Multibody, BodyError> {
+        let vehicle = vehicle.checked()?;
+        let loads = vehicle.axle_loads();
+        let model = match self {
             Self::Unsprung => {
                 let mass = unsprung.unwrap_or(vehicle.wheelset.mass);
-                Multibody::unsprung(mass, vehicle.axle_load())?.row(&vehicle.positions())
+                Multibody::unsprung(mass, loads[0])?.row(&vehicle.positions())
             }
-            Self::Two => Multibody::two(vehicle)?.row(&vehicle.positions()),
-            Self::Four => Multibody::four(vehicle)?.row(&bogies),
-            Self::Five => Multibody::five(vehicle)?.row(&bogies),
-            Self::Ten => Multibody::ten(vehicle),
-        }
+            Self::Two => Multibody::two(&vehicle)?.row(&vehicle.positions()),
+            Self::Four => Multibody::four(&vehicle)?.row(&vehicle.bogie_places()),
+            Self::Five if vehicle.body.count > 1 => Err(BodyError::HalfBodies),
+            Self::Five => Multibody::five(&vehicle)?.row(&vehicle.bogie_places()),
+            Self::Ten => Multibody::ten(&vehicle),
+        };
+        // bogies between two bodies carry more
+        Ok(model?.with_loads(&loads))
     }
 }

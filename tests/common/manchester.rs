@@ -1,14 +1,16 @@
 //! The vehicle of the Manchester benchmarks, as `reference/track_fe_vehicle.json` has it.
 
-use groundwave::vehicle::{Body, Bogie, FourAxle, Freedom, Motion, Multibody, Part, Suspension, Wheelset};
+use groundwave::vehicle::{
+    Body, Bogie, BogieVehicle, Freedom, Motion, Multibody, Part, Suspension, Wheelset,
+};
 use serde_json::Value;
 
 /// The whole vehicle of the file's `inputs`; its suspensions are those of both sides together.
-pub fn manchester(inputs: &Value) -> FourAxle {
+pub fn manchester(inputs: &Value) -> BogieVehicle {
     let of = |key: &str| inputs["whole_vehicle"][key].as_f64().unwrap();
-    FourAxle {
-        body: Body { mass: of("mc"), pitch_inertia: of("Ic"), bogie_centres: of("Lc") },
-        bogie: Bogie { mass: of("mb"), pitch_inertia: of("Ib"), wheelbase: of("Lb") },
+    BogieVehicle {
+        body: Body { mass: of("mc"), pitch_inertia: of("Ic"), bogie_centres: of("Lc"), count: 1 },
+        bogie: Bogie { mass: of("mb"), pitch_inertia: of("Ib"), wheelbase: of("Lb"), wheelsets: 2 },
         wheelset: Wheelset { mass: of("mw") },
         primary: Suspension { stiffness: of("kp"), damping: of("cp") },
         secondary: Suspension { stiffness: of("ks"), damping: of("cs") },
@@ -16,10 +18,10 @@ pub fn manchester(inputs: &Value) -> FourAxle {
 }
 
 /// The half body of the models with 2 and 4 degrees of freedom moves with the bogie.
-pub fn heavy(v: FourAxle) -> FourAxle {
+pub fn heavy(v: BogieVehicle) -> BogieVehicle {
     let bogie = Bogie { mass: v.bogie.mass + 0.5 * v.body.mass, ..v.bogie };
     // no less than a milligram may remain: 2e-10 of the body
-    FourAxle { bogie, body: Body { mass: 1e-6, ..v.body }, ..v }
+    BogieVehicle { bogie, body: Body { mass: 1e-6, ..v.body }, ..v }
 }
 
 /// As the file orders them: from the body down, each body's bounce and pitch together. Its pitch is positive where the front goes down.

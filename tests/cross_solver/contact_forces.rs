@@ -8,7 +8,7 @@ use groundwave::math::quadrature::{Tolerance, integrate};
 use groundwave::progress::Silent;
 use groundwave::rail::TrackOnFoundation;
 use groundwave::soil::Solver;
-use groundwave::vehicle::{FourAxle, Multibody, Suspension};
+use groundwave::vehicle::{BogieVehicle, Multibody, Suspension};
 use num_complex::Complex64;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -20,9 +20,14 @@ const SPEED: f64 = 67.5;
 const CONTACT: f64 = 1.94e9;
 
 /// The library's `goicolea2014_ice3`.
-const ICE3: FourAxle = FourAxle {
-    body: groundwave::vehicle::Body { mass: 47_800.0, pitch_inertia: 1.957888e6, bogie_centres: 17.375 },
-    bogie: groundwave::vehicle::Bogie { mass: 3500.0, pitch_inertia: 1715.0, wheelbase: 2.5 },
+const ICE3: BogieVehicle = BogieVehicle {
+    body: groundwave::vehicle::Body {
+        mass: 47_800.0,
+        pitch_inertia: 1.957888e6,
+        bogie_centres: 17.375,
+        count: 1,
+    },
+    bogie: groundwave::vehicle::Bogie { mass: 3500.0, pitch_inertia: 1715.0, wheelbase: 2.5, wheelsets: 2 },
     wheelset: groundwave::vehicle::Wheelset { mass: 1800.0 },
     primary: Suspension { stiffness: 2.4e6, damping: 20e3 },
     secondary: Suspension { stiffness: 0.7e6, damping: 40e3 },

@@ -6,14 +6,14 @@ use groundwave::contact::{Law, March, Rolling, Start};
 use groundwave::math::banded::Banded;
 use groundwave::rail::fem::{Column, Ends, Mesh, Model, Newmark, Scheme, State};
 use groundwave::track::{Caughey, Link, Member, Stack};
-use groundwave::vehicle::{Body, Bogie, FourAxle, GRAVITY, Multibody, Suspension, Wheelset};
+use groundwave::vehicle::{Body, Bogie, BogieVehicle, GRAVITY, Multibody, Suspension, Wheelset};
 use nalgebra::DMatrix;
 
 /// ICE 3 after Goicolea 2014, with dampers or without.
 fn five(damped: f64) -> Multibody {
-    let vehicle = FourAxle {
-        body: Body { mass: 47_800.0, pitch_inertia: 1.957_888e6, bogie_centres: 17.375 },
-        bogie: Bogie { mass: 3500.0, pitch_inertia: 1715.0, wheelbase: 2.5 },
+    let vehicle = BogieVehicle {
+        body: Body { mass: 47_800.0, pitch_inertia: 1.957_888e6, bogie_centres: 17.375, count: 1 },
+        bogie: Bogie { mass: 3500.0, pitch_inertia: 1715.0, wheelbase: 2.5, wheelsets: 2 },
         wheelset: Wheelset { mass: 1800.0 },
         primary: Suspension { stiffness: 2.4e6, damping: damped * 20e3 },
         secondary: Suspension { stiffness: 0.7e6, damping: damped * 40e3 },

@@ -7,7 +7,7 @@ use groundwave::contact::{Law, March, Rolling, Start};
 use groundwave::irregularity::{Defect, Dip, Ramp, Unevenness};
 use groundwave::rail::fem::{Column, Ends, Mesh, Model, Scheme};
 use groundwave::track::Member;
-use groundwave::vehicle::{Body, Bogie, FourAxle, GRAVITY, Multibody, Suspension, Wheelset};
+use groundwave::vehicle::{Body, Bogie, BogieVehicle, GRAVITY, Multibody, Suspension, Wheelset};
 
 #[test]
 fn manchester_over_a_dip() {
@@ -165,9 +165,9 @@ fn two_masses_on_a_beam() {
     let x = (0..=40).map(|i| 50.0 * f64::from(i) / 40.0).collect();
     let model = Model::new(Mesh::continuous(x, &[], &|_, _| Ok(Column::rail(member))).unwrap(), Ends::Pinned);
     // the half bogie of a vehicle without body
-    let vehicle = FourAxle {
-        body: Body { mass: 1e-6, pitch_inertia: 1.0, bogie_centres: 10.0 },
-        bogie: Bogie { mass: 6000.0, pitch_inertia: 1.0, wheelbase: 1.0 },
+    let vehicle = BogieVehicle {
+        body: Body { mass: 1e-6, pitch_inertia: 1.0, bogie_centres: 10.0, count: 1 },
+        bogie: Bogie { mass: 6000.0, pitch_inertia: 1.0, wheelbase: 1.0, wheelsets: 2 },
         wheelset: Wheelset { mass: 5750.0 },
         primary: Suspension { stiffness: 2.0 * 1.595e8, damping: 2000.0 },
         secondary: Suspension { stiffness: 1.0, damping: 0.0 },

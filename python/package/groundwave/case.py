@@ -89,6 +89,25 @@ class Case:
         """Names of its studies."""
         return self._core.studies
 
+    def estimate(self) -> dict[str, float]:
+        """About how long each study takes on the threads there are [s], without pictures and files.
+
+        Every study is tried for a second at most; with a second solver or method twice.
+
+        Raises
+        ------
+        ComputationError
+            A study that has no answer.
+
+        Examples
+        --------
+        >>> case = Case({"soil": "lamprea2022_half_space",
+        ...              "dispersion": {"frequencies": [10.0, 20.0], "modes": 1}})
+        >>> case.estimate()["dispersion"] < 60.0
+        True
+        """
+        return self._core.estimate()
+
     def run(
         self,
         progress: Progress | None = None,

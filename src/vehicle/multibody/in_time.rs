@@ -86,7 +86,7 @@ mod tests {
 
     #[test]
     fn weights_add_up_to_the_loads() {
-        let unsprung = Multibody::unsprung(1800.0, ICE3.axle_load());
+        let unsprung = Multibody::unsprung(1800.0, ICE3.axle_loads()[0]);
         let two = Multibody::two(&ICE3);
         let others = [Multibody::four(&ICE3), Multibody::five(&ICE3), Multibody::ten(&ICE3)];
         for model in [unsprung, two].into_iter().chain(others).map(Result::unwrap) {
