@@ -31,6 +31,44 @@ const MIXED: &str = "[[train.vehicle]]\nname = \"froseth2018_locomotive_coco\"\n
                      [[train.vehicle]]\nname = \"froseth2018_freight_wagon_empty\"\ncount = 2\n\
                      [[train.vehicle]]\nname = \"goicolea2014_ice3_end\"\nreversed = true\n";
 
+/// Made up: bodies of 40 t on bogies of 5 t, wheelsets of 2 t.
+const BODIES: &str = "[train]\nmodel = \"ten\"\nbody = { mass = 40e3, pitch_inertia = 1e6, bogie_centres = 18.0EXTRA }\n\
+                      bogie = { mass = 5e3, pitch_inertia = 2e3, wheelbase = 3.0BOGIE }\nwheelset.mass = 2e3\n\
+                      primary = { stiffness = 2e6, damping = 2e4 }\nsecondary = { stiffness = 7e5, damping = 4e4 }\n";
+
+#[test]
+fn six_axles_and_bodies_that_share_their_bogies() {
+    let of = |body: &str, bogie: &str| BODIES.replace("EXTRA", body).replace("BOGIE", bogie);
+    let axles = |text: &str| -> Vec<(f64, f64)> {
+        train(text).axles().iter().map(|a| (a.position, a.load / 9.81e3)).collect()
+    };
+    let near = |found: &[(f64, f64)], wanted: &[(f64, f64)]| {
+        assert_eq!(found.len(), wanted.len());
+        assert!(
+            found.iter().zip(wanted).all(|(a, b)| (a.0 - b.0).abs() < 1e-12 && (a.1 - b.1).abs() < 1e-9),
+            "{found:?}"
+        );
+    };
+    // 40 + 2 · 5 + 6 · 2 = 62 t on six axles
+    let sixth = 62.0 / 6.0;
+    let places = [0.0, 1.5, 3.0, 18.0, 19.5, 21.0];
+    near(&axles(&of("", ", wheelsets = 3")), &places.map(|x| (x, sixth)));
+    // two bodies on three bogies: (20 + 5)/2 + 2, (40 + 5)/2 + 2 t
+    let (end, middle) = (14.5, 24.5);
+    let wanted = [(0.0, end), (3.0, end), (18.0, middle), (21.0, middle), (36.0, end), (39.0, end)];
+    near(&axles(&of(", count = 2", "")), &wanted);
+    for (body, bogie, key, said) in [
+        (", count = 0", "", "body.count", "between 1 and 100"),
+        ("", ", wheelsets = 4", "bogie.wheelsets", "between 2 and 3"),
+    ] {
+        let faults = faults(&format!("{TRACK}{}", of(body, bogie)));
+        assert!(
+            faults.iter().any(|f| f.to_string().contains(key) && f.to_string().contains(said)),
+            "{faults:?}"
+        );
+    }
+}
+
 #[test]
 fn vehicles_stand_where_their_lengths_put_them() {
     let mixed = train(MIXED);

@@ -62,7 +62,7 @@ pub fn above_zero(
     positive(key, value, unit).map_err(|e| place.fault(key, e))
 }
 
-/// The vehicle on two bogies of `vehicle`, if it has one.
+/// The vehicle on bogies of `vehicle`, if it has one.
 pub fn bogie_vehicle(vehicle: &Place) -> Result<Option<BogieVehicle>, CaseError> {
     let table = &vehicle.table;
     let (Some(body), Some(bogie), Some(wheelset), Some(primary), Some(secondary)) =

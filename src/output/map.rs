@@ -19,8 +19,14 @@ const LARGEST: (f64, f64) = (700.0, 700.0);
 const HEIGHT: f64 = 440.0;
 /// Width of the colour bar, and its distance from the frame [px].
 const BAR: (f64, f64) = (18.0, 22.0);
-/// Steps of the colours; one more place of the palette is for what is not a number. Indexed images are small.
-const STEPS: u8 = 255;
+/// Steps of the colours; the next place of the palette is for what is not a number, those after it for hatched colours. Indexed images
+/// are small.
+const STEPS: u8 = 169;
+/// Pixels from one line of the hatching to the next: over what is below zero where the sign matters, since on grey paper both ends of the
+/// colours are dark.
+const HATCHING: usize = 8;
+/// Steps from the middle on within which nothing is hatched: 5 % of the largest value.
+const UNHATCHED: u8 = 4;
 
 /// Where field and colour bar stand on the page.
 struct Layout {
@@ -104,7 +110,7 @@ pub(super) fn draw(figure: &MapFigure) -> Result<(Canvas, String), OutputError> 
     canvas.x_axis(frame, x, &x.ticks(x_count), &figure.x_label, false);
     let y_count = ((frame.height() / 45.0) as usize).clamp(3, 8);
     canvas.y_axis(frame, y, &y.ticks(y_count), &figure.y_label, false);
-    colour_bar(&mut canvas, bar, flat, field.palette);
+    colour_bar(&mut canvas, bar, flat, (field.palette, figure.symmetric));
     if flat {
         let scale = Scale::new(range, false, (bar.left, bar.right));
         canvas.x_axis(bar, scale, &scale.ticks(8), &figure.value_label, false);
@@ -120,13 +126,31 @@ pub(super) fn draw(figure: &MapFigure) -> Result<(Canvas, String), OutputError> 
 fn palette(symmetric: bool) -> Vec<Rgb> {
     let part = |step: u8| f64::from(step) / f64::from(STEPS - 1);
     let colour = |t: f64| if symmetric { diverging(2.0 * t - 1.0) } else { sequential(t) };
-    (0..STEPS).map(|step| colour(part(step))).chain([MISSING]).collect()
+    let colours = (0..STEPS).map(|step| colour(part(step)));
+    // a line is light where the field is dark, and dark where it is light
+    let line = |rgb: Rgb| {
+        let light = rgb.iter().map(|c| u32::from(*c)).sum::<u32>() < 3 * 128;
+        rgb.map(|c| if light { 255 - (255 - c) / 2 } else { c / 2 + c / 8 })
+    };
+    let hatched = (0..STEPS / 2 - UNHATCHED).map(|step| line(colour(part(step)))).filter(|_| symmetric);
+    colours.clone().chain([MISSING]).chain(hatched).collect()
 }
 
-/// The colours side by side, from the left or from below.
-fn colour_bar(canvas: &mut Canvas, bar: Area, flat: bool, palette: Vec<Rgb>) {
-    let (columns, pixels) =
-        if flat { (usize::from(STEPS), (0..STEPS).collect()) } else { (1, (0..STEPS).rev().collect()) };
+/// The place in the palette of `step` at a pixel (column, row): on a line of the hatching that of its line.
+fn hatched(step: u8, symmetric: bool, (column, row): (usize, usize)) -> u8 {
+    let on_line = (column + row).is_multiple_of(HATCHING);
+    if symmetric && on_line && step < STEPS / 2 - UNHATCHED { STEPS + 1 + step } else { step }
+}
+
+/// The colours side by side, from the left or from below, hatched as the field is.
+fn colour_bar(canvas: &mut Canvas, bar: Area, flat: bool, (palette, symmetric): (Vec<Rgb>, bool)) {
+    let [columns, rows] = [bar.width() as usize, bar.height() as usize];
+    let step = |i: usize, count: usize| (i * usize::from(STEPS) / count) as u8;
+    let pixel = |(column, row): (usize, usize)| {
+        let step = if flat { step(column, columns) } else { step(rows - 1 - row, rows) };
+        hatched(step, symmetric, (column, row))
+    };
+    let pixels = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row))).map(pixel).collect();
     canvas.image(bar, &Image { columns, palette, pixels });
     canvas.rectangle(bar, None, Some(Pen::solid(INK, 1.2)));
 }
@@ -182,10 +206,11 @@ fn pixels(figure: &MapFigure, [columns, rows]: [usize; 2], range: (f64, f64)) ->
     };
     let across = places(columns, nx);
     let mut image = Vec::with_capacity(columns * rows);
-    for &(j, v) in places(rows, ny).iter().rev() {
-        for &(i, u) in &across {
+    for (at_row, &(j, v)) in places(rows, ny).iter().rev().enumerate() {
+        for (at_column, &(i, u)) in across.iter().enumerate() {
             let row = |j: usize| (1.0 - u) * figure.values[[j, i]] + u * figure.values[[j, i + 1]];
-            image.push(place((1.0 - v) * row(j) + v * row(j + 1)));
+            let step = place((1.0 - v) * row(j) + v * row(j + 1));
+            image.push(hatched(step, figure.symmetric, (at_column, at_row)));
         }
     }
     image
@@ -290,6 +315,14 @@ mod tests {
         let mut map = figure(3, 3, false);
         map.values = Array2::from_shape_fn((3, 3), |(j, _)| j as f64);
         let rows = pixels(&map, [3, 3], (0.0, 2.0));
-        assert_eq!([rows[0], rows[4], rows[8]], [254, 127, 0]);
+        assert_eq!([rows[0], rows[4], rows[8]], [168, 84, 0]);
+        // below zero, where the sign matters, every eighth diagonal is a line
+        map.symmetric = true;
+        let rows = pixels(&map, [8, 3], (-9.0, 2.0));
+        assert!(rows.iter().all(|place| *place <= STEPS), "{rows:?}");
+        map.values.fill(-8.0);
+        let rows = pixels(&map, [8, 3], (-9.0, 9.0));
+        assert_eq!(rows.iter().filter(|place| **place > STEPS).count(), 3);
+        assert!(rows.iter().all(|place| usize::from(*place) < palette(true).len()));
     }
 }

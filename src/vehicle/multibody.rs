@@ -401,7 +401,7 @@ mod tests {
     }
 
     /// A locomotive on two bogies of three wheelsets, and three bodies on four bogies of two.
-    fn others() -> [BogieVehicle; 2] {
+    pub(super) fn others() -> [BogieVehicle; 2] {
         [
             BogieVehicle { bogie: Bogie { wheelbase: 4.0, wheelsets: 3, ..ICE3.bogie }, ..ICE3 },
             BogieVehicle { body: Body { count: 3, ..ICE3.body }, ..ICE3 },
@@ -449,7 +449,7 @@ mod tests {
 
     #[test]
     fn forces_like_the_loads_lift_the_whole_vehicle() {
-        // F_i = load/g accelerate every body alike: u = −1/ω² at all wheelsets, to ω²M/k, measured 1.1e-3 at 0.1 rad/s
+        // F_i = load/g accelerate every body alike: u = −1/ω² at all wheelsets, to ω²M/k, measured 4.0e-4 at 0.1 rad/s
         for v in others() {
             for model in [VehicleModel::Two, VehicleModel::Four, VehicleModel::Ten] {
                 let whole = model.of(&v, None).unwrap();
@@ -463,7 +463,7 @@ mod tests {
             let forces = model.axles().iter().map(|axle| Complex64::from(axle.load / 9.81));
             let moved =
                 &a * nalgebra::DVector::from_iterator(a.ncols(), forces) * Complex64::from(-omega * omega);
-            assert!(moved.iter().all(|u| (u - 1.0).norm() < 3e-3), "{moved}");
+            assert!(moved.iter().all(|u| (u - 1.0).norm() < 6e-4), "{moved}");
             assert!((&a - a.transpose()).iter().all(|z| z.norm() < 1e-10 * a[(0, 0)].norm()));
         }
         // six axles carry a sixth each; bogies between bodies (47 800 + 3500)/2 + 1800 kg an axle, those at the ends half a body less
@@ -473,20 +473,6 @@ mod tests {
         let loads = articulated.axle_loads();
         assert_eq!(loads.len(), 8);
         assert!((loads[2] - 9.81 * 27_450.0).abs() < 1e-9 && (loads[0] - 9.81 * 15_500.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn articulated_vehicles_are_alike_both_ways() {
-        let model = Multibody::ten(&others()[1]).unwrap();
-        let end = model.axles().last().unwrap().position;
-        let turned = model.reversed(end);
-        assert_eq!((&turned.freedoms, &turned.wheels), (&model.freedoms, &model.wheels));
-        assert!((&turned.stiffness - &model.stiffness).norm() < 1e-15 * model.stiffness.norm());
-        assert!(
-            turned.axles().iter().zip(model.axles()).all(|(a, b)| (a.position - b.position).abs() < 1e-12)
-        );
-        // a push at the front is felt at the rear, through every body between
-        assert!(model.receptance(30.0)[(7, 0)].norm() > 0.0);
     }
 
     #[test]

@@ -328,7 +328,7 @@ class Train(_Table):
     unsprung_mass : float, optional
         Of each wheelset [kg].
     body, bogie, wheelset, primary, secondary : mapping, optional
-        A vehicle on two bogies.
+        A vehicle on bogies.
     wheel_rail : mapping, optional
         Contact of each wheelset: ``stiffness`` [N/m], or ``radius`` [m] and ``tread``.
 

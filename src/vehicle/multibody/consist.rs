@@ -110,7 +110,7 @@ impl Multibody {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{ICE3, undamped};
+    use super::super::tests::{ICE3, others, undamped};
     use super::*;
     use num_complex::Complex64;
 
@@ -162,6 +162,20 @@ mod tests {
             |k| (a[(k / n, k % n)] - b[(n - 1 - k / n, n - 1 - k % n)]).norm() < 1e-14 * a[(0, 0)].norm()
         ));
         assert_eq!(turned.reversed(61.0), mixed);
+    }
+
+    #[test]
+    fn articulated_vehicles_are_alike_both_ways() {
+        let model = Multibody::ten(&others()[1]).unwrap();
+        let end = model.axles().last().unwrap().position;
+        let turned = model.reversed(end);
+        assert_eq!((&turned.freedoms, &turned.wheels), (&model.freedoms, &model.wheels));
+        assert!((&turned.stiffness - &model.stiffness).norm() < 1e-15 * model.stiffness.norm());
+        assert!(
+            turned.axles().iter().zip(model.axles()).all(|(a, b)| (a.position - b.position).abs() < 1e-12)
+        );
+        // a push at the front is felt at the rear, through every body between
+        assert!(model.receptance(30.0)[(7, 0)].norm() > 0.0);
     }
 
     #[test]
