@@ -151,7 +151,6 @@ fn tried(study: &Study, railway: &Railway, trial: Duration) -> Result<StudyTime,
 
 /// A time in words, rounded as an estimate is: "less than a second", "about 20 s", "about 3 min", "about 2 h".
 pub fn about(time: Duration) -> String {
-    // 1, 2, 3, 4, 5, 7, 10, 15, 20, 30, 40
     let rounded = |value: f64| {
         let steps = [1.0, 2.0, 3.0, 4.0, 5.0, 7.0, 10.0, 15.0, 20.0, 30.0, 40.0, 50.0];
         steps

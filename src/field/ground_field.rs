@@ -179,27 +179,16 @@ impl GroundField<'_> {
         let fields = inverse_2d(grid.x, grid.y, grid.rows, quantities.len(), wanted, spectrum)?;
         observer.end();
 
-        let axles = self.axles();
         let middle = -0.5 * self.train.length();
         let border = grid.column(middle + 0.5 * grid.x.period());
         let mut values = Vec::with_capacity(quantities.len());
         let (mut wrap_around, mut aliasing) = (0.0f64, 0.0f64);
-        for (mut field, &quantity) in fields.into_iter().zip(quantities) {
+        for (field, &quantity) in fields.into_iter().zip(quantities) {
             // midway between the train and its images
             let remainder = largest(field.column(border)).max(largest(field.row(lines.len() - 1)));
             let along_track = field.outer_iter().skip(distinct.len()).map(largest).fold(0.0, f64::max);
             let images = self.images(quantity, (&x, &y), blend, window.spacing)?;
-            let columns = field.ncols();
-            let lines = field.as_slice_mut().unwrap_or(&mut []).par_chunks_mut(columns);
-            lines.zip(&distinct).for_each(|(line, &j)| images.add(&mut line[..x.len()], &x, y[j], &axles));
-            let mut value = Array2::zeros((y.len(), x.len()));
-            let of_place: Vec<f64> = distinct.iter().map(|j| y[*j]).collect();
-            let rows = value.as_slice_mut().unwrap_or(&mut []).par_chunks_mut(x.len());
-            rows.zip(&mirrored.places).zip(&y).for_each(|((row, &place), y)| {
-                let turned = quantity == Quantity::Across && y * of_place[place] < 0.0;
-                let sign = if turned { -1.0 } else { 1.0 };
-                row.iter_mut().zip(field.row(place)).for_each(|(value, u)| *value = sign * u);
-            });
+            let value = self.in_window(field, &images, (&x, &y), (&mirrored, &distinct));
             let in_window = largest(value.view());
             wrap_around = wrap_around.max(remainder / in_window);
             // the truncated part stands at the edges of the strip, be they in the window or not
@@ -215,6 +204,28 @@ impl GroundField<'_> {
             period: (grid.x.period(), grid.y.period()),
             samples: (grid.x.period_count, grid.y.period_count),
         })
+    }
+
+    /// One quantity at all `x` × `y` [m], (y, x): of the `distinct` lines of the transform, with their `images`, and of those that mirror them.
+    fn in_window(
+        &self,
+        mut field: Array2<f64>,
+        images: &Images,
+        (x, y): (&[f64], &[f64]),
+        (mirrored, distinct): (&Mirrored, &[usize]),
+    ) -> Array2<f64> {
+        let (axles, columns) = (self.axles(), field.ncols());
+        let of_line: Vec<f64> = distinct.iter().map(|j| y[*j]).collect();
+        let lines = field.as_slice_mut().unwrap_or(&mut []).par_chunks_mut(columns);
+        lines.zip(&of_line).for_each(|(line, y)| images.add(&mut line[..x.len()], x, *y, &axles));
+        let mut value = Array2::zeros((y.len(), x.len()));
+        let rows = value.as_slice_mut().unwrap_or(&mut []).par_chunks_mut(x.len());
+        rows.zip(&mirrored.places).zip(y).for_each(|((row, &place), y)| {
+            let turned = images.quantity == Quantity::Across && y * of_line[place] < 0.0;
+            let sign = if turned { -1.0 } else { 1.0 };
+            row.iter_mut().zip(field.row(place)).for_each(|(value, u)| *value = sign * u);
+        });
+        value
     }
 
     /// Material of the lower half-space: what the ground tends to as k → 0.

@@ -65,7 +65,7 @@ impl MovingSpectrum<'_> {
     /// This load passing a `channel`, `ground` with its exact solver under the track's `strip`; for
     /// times up to `reach` [m] over its speed, which is above zero.
     ///
-    /// Accuracy: 1e-3 of the largest velocity of the contour (tests `cross_solver::passage`, `cross_solver::horizontal`).
+    /// Accuracy: 1e-3 of the largest velocity of the contour (test `cross_solver::passage`).
     ///
     /// # Errors
     /// A ground that cannot answer; a response that diverges.

@@ -114,7 +114,6 @@ pub fn inverse_2d<E: Send>(
     // of every m-th position the spectra N/m apart are one: Σ_q ũ(n + qN/m)
     let (less_y, n_x) = (n_y / wanted.thinning.0, x.period_count / wanted.thinning.1);
     let along_y = plan(less_y, FftDirection::Inverse);
-    let along_x = plan_real(n_x).1;
     let scale = x.beta_step() * y.beta_step() / (4.0 * PI * PI);
     let shift_y: Vec<Complex64> = (0..n_y).map(|n| y.shift(n)).collect();
     let buffers = || vec![vec![Complex64::ZERO; n_y]; fields];
@@ -138,41 +137,50 @@ pub fn inverse_2d<E: Send>(
             Ok(out.iter_mut().map(transform).collect())
         })
         .collect::<Result<_, E>>()?;
-    let fields = (0..fields)
-        .map(|field| {
-            let mut result = Array2::zeros((wanted.lines.len(), n_x));
-            // a few lines at once: their values stand side by side in every row
-            result.as_slice_mut().unwrap_or(&mut []).par_chunks_mut(ABREAST * n_x).enumerate().for_each_init(
-                || (vec![along_x.make_input_vec(); ABREAST], along_x.make_scratch_vec()),
-                |(spectra, scratch), (block, targets)| {
-                    spectra.iter_mut().for_each(|spectrum| spectrum.fill(Complex64::ZERO));
-                    for (n, row) in half.iter().enumerate() {
-                        let place = n % n_x;
-                        // its partner −β_x, where that folds into the half that is kept
-                        let partner = (n_x - place) % n_x;
-                        let folds = partner <= n_x / 2 && n > 0 && 2 * n != x.period_count;
-                        for (spectrum, value) in spectra.iter_mut().zip(&row[field][ABREAST * block..]) {
-                            if place <= n_x / 2 {
-                                spectrum[place] += value;
-                            }
-                            if folds {
-                                spectrum[partner] += value.conj();
-                            }
-                        }
+    let lines = wanted.lines.len();
+    Ok((0..fields).map(|field| real_lines(&half, field, (lines, n_x), x.period_count)).collect())
+}
+
+/// (β_x, y) → (x, y) of one `field`: so many lines × every so-manieth x, `count` (lines, x), of a period of `whole` samples, from the `half`
+/// spectra, β_x × fields × lines.
+fn real_lines(
+    half: &[Vec<Vec<Complex64>>],
+    field: usize,
+    count: (usize, usize),
+    whole: usize,
+) -> Array2<f64> {
+    let n_x = count.1;
+    let along_x = plan_real(n_x).1;
+    let mut result = Array2::zeros(count);
+    // a few lines at once: their values stand side by side in every row
+    result.as_slice_mut().unwrap_or(&mut []).par_chunks_mut(ABREAST * n_x).enumerate().for_each_init(
+        || (vec![along_x.make_input_vec(); ABREAST], along_x.make_scratch_vec()),
+        |(spectra, scratch), (block, targets)| {
+            spectra.iter_mut().for_each(|spectrum| spectrum.fill(Complex64::ZERO));
+            for (n, row) in half.iter().enumerate() {
+                let place = n % n_x;
+                // its partner −β_x, where that folds into the half that is kept
+                let partner = (n_x - place) % n_x;
+                let folds = partner <= n_x / 2 && n > 0 && 2 * n != whole;
+                for (spectrum, value) in spectra.iter_mut().zip(&row[field][ABREAST * block..]) {
+                    if place <= n_x / 2 {
+                        spectrum[place] += value;
                     }
-                    for (spectrum, target) in spectra.iter_mut().zip(targets.chunks_mut(n_x)) {
-                        // a real field has real ends of its half-spectrum
-                        spectrum[0].im = 0.0;
-                        spectrum[n_x / 2].im = 0.0;
-                        // never fails: the lengths are those of the plan
-                        let _ = along_x.process_with_scratch(spectrum, target, scratch);
+                    if folds {
+                        spectrum[partner] += value.conj();
                     }
-                },
-            );
-            result
-        })
-        .collect();
-    Ok(fields)
+                }
+            }
+            for (spectrum, target) in spectra.iter_mut().zip(targets.chunks_mut(n_x)) {
+                // a real field has real ends of its half-spectrum
+                spectrum[0].im = 0.0;
+                spectrum[n_x / 2].im = 0.0;
+                // never fails: the lengths are those of the plan
+                let _ = along_x.process_with_scratch(spectrum, target, scratch);
+            }
+        },
+    );
+    result
 }
 
 /// Harmonics g_n = (1/N) Σ g(θ_i) e^{−inθ_i} of N samples at θ_i = 2π(i + ½)/N: n = 0, 1, … and, from the end, n = −1, −2, …

@@ -6,6 +6,8 @@
 //! | p, s | vertical wavenumbers √(k² − k_p²), √(k² − k_s²), Re ≥ 0 |
 //! | γ | μ/(λ + 2μ) = (c_s/c_p)² |
 //! | u_zz … | displacement per unit traction wave e^{i(ωt + kx)} [m/Pa], z down |
+//!
+//! The file is long because what a ground may be asked, who answers and why one cannot stand together.
 
 pub mod at_depth;
 mod batch;

@@ -46,7 +46,6 @@ impl VehicleModel {
             }
             Self::Two => Multibody::two(&vehicle)?.row(&vehicle.positions()),
             Self::Four => Multibody::four(&vehicle)?.row(&vehicle.bogie_places()),
-            Self::Five if vehicle.body.count > 1 => Err(BodyError::HalfBodies),
             Self::Five => Multibody::five(&vehicle)?.row(&vehicle.bogie_places()),
             Self::Ten => Multibody::ten(&vehicle),
         };

@@ -130,12 +130,7 @@ impl FreeField {
             Some(sections) => ConstantLoad::Fast(sections),
             None => ConstantLoad::Slow(SlowLoad::new(&pass, stack, of_ground, strip)?),
         };
-        let smooth = Shaken {
-            energies: PassEnergy::quasi_static(&pass, &load),
-            histories: vec![quasi_static.velocity.clone()],
-            driven: Vec::new(),
-            forces_worst: 0.0,
-        };
+        let smooth = Shaken::on_smooth_rail(&pass, &load, &quasi_static);
         let Shaken { energies, histories, driven, forces_worst } = match (&self.roughness, &sections) {
             (Some(roughness), Some(sections)) => {
                 let rough = Rough { pass, roughness, track: &track, sections, profile: &ground.profile };
@@ -242,6 +237,18 @@ struct Shaken {
     driven: Vec<Driven>,
     /// Error of the contact forces over what was allowed, where it is largest.
     forces_worst: f64,
+}
+
+impl Shaken {
+    /// By the axle loads alone.
+    fn on_smooth_rail(pass: &Pass, load: &ConstantLoad, quasi_static: &QuasiStatic) -> Self {
+        Self {
+            energies: PassEnergy::quasi_static(pass, load),
+            histories: vec![quasi_static.velocity.clone()],
+            driven: Vec::new(),
+            forces_worst: 0.0,
+        }
+    }
 }
 
 /// Force of the leading wheelset at one driving frequency.

@@ -110,7 +110,8 @@ impl Multibody {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{ICE3, others, undamped};
+    use super::super::on_bogies::tests::others;
+    use super::super::tests::{ICE3, undamped};
     use super::*;
     use num_complex::Complex64;
 
